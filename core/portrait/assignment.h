@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/portrait/likeness.h"
+
+namespace penpose::portrait {
+
+/// What a line was taken for.
+struct Label {
+  std::size_t stretch = 0;
+  bool reversed = false;  ///< drawn from the end of the stretch to its beginning
+  double cost = 0;        ///< Likeness::cost
+  friend bool operator==(const Label& a, const Label& b) { return a.stretch == b.stretch && a.reversed == b.reversed; }
+};
+
+/// What each line may be, the best first: at most `count`, none above the best one's cost by more than `window`.
+[[nodiscard]] std::vector<std::vector<Label>> candidates_of(const Likeness& likeness, const FaceView& face,
+                                                            std::span<const Trace> lines, std::size_t count,
+                                                            double window);
+/// The best label of each curve for one line, the best first, at most `count` within `window` of the best.
+[[nodiscard]] std::vector<Label> curves_for(const Likeness& likeness, const FaceView& face, const Trace& line,
+                                            std::size_t count, double window);
+
+/// Mean distances between lines, each from the one that is nearer to the other on the whole; n * n, px.
+[[nodiscard]] std::vector<double> distances_between(std::span<const Trace> lines);
+
+/// What two lines of one curve cost: little where they continue each other or lie upon each other, much where they
+/// should lie upon each other and do not. `apart`: their distance, px.
+[[nodiscard]] double cost_of_both(const Stretch& a, const Stretch& b, double apart);
+
+/// The labels of least cost, together with what lines of one curve cost: by branch and bound.
+struct Assignment {
+  std::vector<Label> labels;
+  double cost = 0;
+};
+[[nodiscard]] Assignment assign(const FaceView& face, std::span<const std::vector<Label>> candidates,
+                                std::span<const double> distances);
+
+}  // namespace penpose::portrait

@@ -1,0 +1,258 @@
+#include "core/portrait/face_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/curve/polyline.h"
+#include "core/portrait/proportions.h"
+
+namespace penpose::portrait {
+namespace {
+
+/// Points a curve is kept with.
+constexpr std::size_t k_samples = 25;
+/// Controls that move no point of a curve by this are left out, px of the face.
+constexpr double k_least_way = 0.5;
+/// Parts of curves that lines may be.
+constexpr std::array<std::array<double, 2>, 6> k_parts = {
+    {{0.0, 1.0}, {0.0, 0.5}, {0.5, 1.0}, {0.0, 0.7}, {0.3, 1.0}, {0.25, 0.75}}};
+/// Joints are left out that move the curve they move least by this share of what they move most.
+constexpr double k_carries = 0.5;
+
+using Line = std::vector<PxPoint>;
+
+/// The value at a share of a line with evenly spaced parameters.
+PxPoint at_share(const Line& line, double share) {
+  const double x = share * static_cast<double>(line.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(x), line.size() - 2);
+  const double f = x - static_cast<double>(i);
+  return line[i] * (1.0 - f) + line[i + 1] * f;
+}
+
+Trace cut(const Line& line, double from, double to) {
+  Trace out{};
+  for (std::size_t i = 0; i < k_points; ++i) {
+    const PxPoint p = at_share(line, from + (to - from) * static_cast<double>(i) / static_cast<double>(k_points - 1));
+    out[2 * i] = p.x;
+    out[2 * i + 1] = p.y;
+  }
+  return out;
+}
+
+/// All curves bound at once.
+struct Bound {
+  std::vector<std::uint32_t> vertices;
+  std::unique_ptr<rig::BoundVertices> rig;
+  std::vector<geometry::ModelPoint> places;
+};
+
+geometry::ModelPoint place_of(const posing::CurvePoint& point, std::span<const geometry::ModelPoint> places) {
+  return places[0] * point.weight[0] + places[1] * point.weight[1] + places[2] * point.weight[2];
+}
+
+/// Each curve in the picture, its own points.
+std::optional<std::vector<Line>> picture(Bound& bound, std::span<const FeatureCurve> curves, const rig::Pose& pose,
+                                         const geometry::Camera& camera) {
+  bound.rig->evaluate(pose, bound.places);
+  std::vector<Line> lines;
+  std::size_t at = 0;
+  for (const FeatureCurve& curve : curves) {
+    Line line;
+    for (const posing::CurvePoint& point : curve.points) {
+      const auto px = camera.project(place_of(point, {bound.places.data() + at, 3}));
+      if (!px || !std::isfinite(px->x) || !std::isfinite(px->y)) return std::nullopt;
+      line.push_back(*px);
+      at += 3;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// Samples of all curves, at the shares of length that they have at rest.
+std::vector<Line> sampled(const std::vector<Line>& lines, const std::vector<std::vector<double>>& lengths) {
+  std::vector<Line> out;
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    Line line;
+    for (std::size_t i = 0; i < k_samples; ++i) {
+      const auto place = curve::place_at(lengths[c], static_cast<double>(i) / static_cast<double>(k_samples - 1));
+      line.push_back(lines[c][place.segment] * (1.0 - place.fraction) + lines[c][place.segment + 1] * place.fraction);
+    }
+    out.push_back(std::move(line));
+  }
+  return out;
+}
+
+struct Frame {
+  PxPoint middle{0, 0};
+  double scale = 1;
+};
+
+Frame frame_of(const std::vector<Line>& lines) {
+  PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const Line& line : lines) {
+    for (const PxPoint& p : line) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  const double dx = high.x - low.x, dy = high.y - low.y;
+  return {(low + high) * 0.5, k_face_px / std::sqrt(dx * dx + dy * dy)};
+}
+
+double longest_way(const std::vector<Line>& ways) {
+  double most = 0;
+  for (const Line& line : ways) {
+    for (const PxPoint& p : line) most = std::max(most, p.x * p.x + p.y * p.y);
+  }
+  return std::sqrt(most);
+}
+
+/// Whether a control moves all curves alike, as a neck does.
+bool carries_all(const std::vector<Line>& ways) {
+  double least = 1e300, most = 0;
+  for (const Line& line : ways) {
+    double sum = 0;
+    for (const PxPoint& p : line) sum += p.x * p.x + p.y * p.y;
+    const double way = std::sqrt(sum / static_cast<double>(line.size()));
+    least = std::min(least, way);
+    most = std::max(most, way);
+  }
+  return least > k_carries * most;
+}
+
+}  // namespace
+
+std::size_t FaceView::stretches_per_curve() { return k_parts.size(); }
+
+double usual_share(const Unit& unit) {
+  constexpr double k_usual = 0.35, k_usual_alone = 0.21;
+  return unit.one_side ? k_usual_alone : k_usual;
+}
+
+Trace trace_of(std::span<const PxPoint> line) {
+  Trace out{};
+  const auto points = curve::resample<PxPoint>(line, k_points);
+  for (std::size_t i = 0; i < k_points && points; ++i) {
+    out[2 * i] = (*points)[i].x;
+    out[2 * i + 1] = (*points)[i].y;
+  }
+  return out;
+}
+
+base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeModel& whole,
+                                      std::span<const FeatureCurve> curves, const rig::Pose& start,
+                                      std::span<const std::size_t> free, const geometry::Camera& camera) {
+  if (curves.empty())
+    return base::Error{"the model has no feature curves", "", "name them in a file and pass it by --curves"};
+  Bound bound;
+  for (const FeatureCurve& curve : curves) {
+    for (const posing::CurvePoint& point : curve.points) {
+      for (const std::uint32_t v : point.vertex) {
+        if (v >= rig.vertex_count()) {
+          return base::Error{"the model has no vertex " + std::to_string(v), "curve " + curve.name,
+                             "name vertices of this model"};
+        }
+        bound.vertices.push_back(v);
+      }
+    }
+  }
+  bound.rig = rig.bind(bound.vertices);
+  bound.places.resize(bound.vertices.size());
+  auto rest = picture(bound, curves, start, camera);
+  if (!rest) return base::Error{"the feature curves lie behind the camera", "", "choose another view"};
+  FaceView view;
+  view.curve_count_ = curves.size();
+  const Frame frame = frame_of(*rest);
+  if (!std::isfinite(frame.scale)) return base::Error{"the feature curves have no extent", "", "choose another view"};
+  const auto framed = [&](std::vector<Line> lines) {
+    for (Line& line : lines) {
+      for (PxPoint& p : line) p = (p - frame.middle) * frame.scale;
+    }
+    return lines;
+  };
+  rest = framed(std::move(*rest));
+  std::vector<std::vector<double>> lengths;
+  std::vector<Part> parts;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    lengths.push_back(curve::cumulative_length<PxPoint>((*rest)[c]));
+    if (lengths.back().size() < 2 || !(lengths.back().back() > 1e-6)) {
+      return base::Error{"the curve has no length in this view", "curve " + curves[c].name,
+                         "leave it out or choose another view"};
+    }
+    parts.push_back(part_named(curves[c].name));
+  }
+  const std::vector<Line> lines = sampled(*rest, lengths);
+
+  std::vector<std::vector<Line>> ways;
+  rig::Pose pose = start;
+  for (const std::size_t p : free) {
+    if (!bound.rig->moves(p)) continue;
+    const rig::Parameter& parameter = rig.parameters()[p];
+    const double range = parameter.maximum - parameter.minimum;
+    if (!(range > 0.0)) continue;
+    Control control{p, (parameter.minimum - start[p]) / range, (parameter.maximum - start[p]) / range};
+    const double reach = control.high >= -control.low ? control.high : control.low;
+    const bool turns = whole.joint[p] != intent::k_no_partner;
+    const double step = turns ? reach * 0.1 : reach;  // of an arc, its beginning
+    pose[p] = start[p] + step * range;
+    const auto moved = picture(bound, curves, pose, camera);
+    pose[p] = start[p];
+    if (!moved || step == 0.0) continue;
+    std::vector<Line> way = sampled(framed(*moved), lengths);
+    for (std::size_t c = 0; c < way.size(); ++c) {
+      for (std::size_t i = 0; i < way[c].size(); ++i) way[c][i] = (way[c][i] - lines[c][i]) * (1.0 / step);
+    }
+    if (longest_way(way) < k_least_way || (turns && carries_all(way))) continue;
+    view.controls_.push_back(control);
+    ways.push_back(std::move(way));
+  }
+  std::vector<std::size_t> number(rig.parameters().size(), intent::k_no_partner);
+  for (std::size_t j = 0; j < view.controls_.size(); ++j) number[view.controls_[j].parameter] = j;
+  for (std::size_t j = 0; j < view.controls_.size(); ++j) {
+    const std::size_t partner = whole.partner[view.controls_[j].parameter];
+    const std::size_t other = partner == intent::k_no_partner ? partner : number[partner];
+    const bool paired = other != intent::k_no_partner;
+    if (paired && j < other) view.units_.push_back({{j, other}, 2, false});
+    view.units_.push_back({{j, j}, 1, paired});
+  }
+  const auto proportions = proportions_of(lines, parts);
+  view.proportion_count_ = proportions.size();
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (const auto& [from, to] : k_parts) {
+      Stretch stretch{c, from, to, cut(lines[c], from, to), {}, {}, lengths[c].back() * (to - from)};
+      for (const auto& way : ways) stretch.ways.push_back(cut(way[c], from, to));
+      for (const auto& way : proportions) stretch.proportions.push_back(cut(way[c], from, to));
+      view.stretches_.push_back(std::move(stretch));
+    }
+    constexpr double k_steady = 8.0;
+    double sum = k_steady * k_steady;
+    const Stretch& whole_curve = view.curve(c);
+    for (const Unit& unit : view.units_) {
+      for (std::size_t i = 0; i < k_numbers; ++i) {
+        double way = 0;
+        for (std::size_t m = 0; m < unit.count; ++m) way += whole_curve.ways[unit.members[m]][i];
+        way *= usual_share(unit);
+        sum += way * way / static_cast<double>(k_points);
+      }
+    }
+    view.unrest_.push_back(std::sqrt(sum));
+  }
+  // What drawings leave out together, for the first guess of where the face is.
+  const auto group = [&](bool jaw, bool brow) {
+    std::vector<std::size_t> taken;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      if ((jaw || parts[c] != Part::jaw) && (brow || parts[c] != Part::brow)) taken.push_back(c);
+    }
+    if (!taken.empty() && std::find(view.groups_.begin(), view.groups_.end(), taken) == view.groups_.end())
+      view.groups_.push_back(std::move(taken));
+  };
+  group(true, true);
+  group(false, true);
+  group(false, false);
+  group(true, false);
+  return view;
+}
+
+}  // namespace penpose::portrait

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "core/intent/model/whole_model.h"
+#include "core/portrait/feature_curve.h"
+#include "core/rig/rig.h"
+
+namespace penpose::portrait {
+
+using geometry::PxPoint;
+
+/// Lines and stretches of curves are compared at so many points, evenly spaced along them.
+inline constexpr std::size_t k_points = 12;
+inline constexpr std::size_t k_numbers = 2 * k_points;
+/// The x and y of each of those points, one after the other.
+using Trace = std::array<double, k_numbers>;
+
+/// The diagonal of a face in its own picture: the unit in which all widths of doubt are given.
+inline constexpr double k_face_px = 800.0;
+
+/// A control that moves curves, as shares of its range from where it starts.
+struct Control {
+  std::size_t parameter = 0;
+  double low = 0;   ///< <= 0
+  double high = 0;  ///< >= 0
+};
+
+/// Controls that are chosen together: one, or those of both sides by the same share.
+struct Unit {
+  std::array<std::size_t, 2> members{};
+  std::size_t count = 1;
+  bool one_side = false;  ///< one of a pair, alone
+};
+
+/// A part of a curve that a line may be, and how it moves in the picture.
+struct Stretch {
+  std::size_t curve = 0;
+  double from = 0, to = 1;  ///< shares of the curve's length
+  Trace rest{};
+  std::vector<Trace> ways;         ///< of each control's whole range
+  std::vector<Trace> proportions;  ///< of each proportion doubled
+  double length = 0;               ///< px, at rest
+  [[nodiscard]] bool whole() const { return from == 0.0 && to == 1.0; }
+};
+
+/// The feature curves of a model as one camera sees them, scaled to k_face_px, and what moves them: the controls and
+/// the proportions in which a drawing may differ from the model.
+class FaceView {
+ public:
+  /// `start`: the pose at which nothing has moved. `free`: the parameters that may move, ascending; those that move no
+  /// curve by half a px or more, and joints that carry the whole face, are left out.
+  /// Errors: no curves or too many, a curve without length in the view or behind the camera, numbers that are not
+  /// finite.
+  static base::Result<FaceView> make(const rig::Rig& rig, const intent::WholeModel& whole,
+                                     std::span<const FeatureCurve> curves, const rig::Pose& start,
+                                     std::span<const std::size_t> free, const geometry::Camera& camera);
+
+  [[nodiscard]] std::span<const Stretch> stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const Control> controls() const { return controls_; }
+  [[nodiscard]] std::span<const Unit> units() const { return units_; }
+  [[nodiscard]] std::size_t curve_count() const { return curve_count_; }
+  [[nodiscard]] std::size_t proportion_count() const { return proportion_count_; }
+  /// How far controls move a curve, px, root mean square of what is usual.
+  [[nodiscard]] double unrest(std::size_t curve) const { return unrest_[curve]; }
+  /// The whole of a curve.
+  [[nodiscard]] const Stretch& curve(std::size_t c) const { return stretches_[c * stretches_per_curve()]; }
+  [[nodiscard]] static std::size_t stretches_per_curve();
+  /// What kinds of curves a placement may start from: shares of the face that drawings leave out together.
+  [[nodiscard]] const std::vector<std::vector<std::size_t>>& groups() const { return groups_; }
+
+ private:
+  FaceView() = default;
+
+  std::vector<Stretch> stretches_;
+  std::vector<Control> controls_;
+  std::vector<Unit> units_;
+  std::vector<double> unrest_;
+  std::vector<std::vector<std::size_t>> groups_;
+  std::size_t curve_count_ = 0, proportion_count_ = 0;
+};
+
+/// A typical share of its range that a unit moves.
+[[nodiscard]] double usual_share(const Unit& unit);
+
+/// `count` points evenly along a line.
+[[nodiscard]] Trace trace_of(std::span<const PxPoint> line);
+
+}  // namespace penpose::portrait

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/portrait/face_view.h"
+
+namespace penpose::portrait {
+
+/// How much a proportion of a drawing usually differs.
+inline constexpr double k_usual_proportion = 0.1;
+/// What a line costs that is a part of a curve, beyond the whole; in units of the energy.
+inline constexpr double k_part_cost = 3.0;
+
+/// What is known of the face beside a line, when it is asked what that line may be.
+struct Belief {
+  std::vector<double> shares;       ///< of each control's range; empty: at rest
+  std::vector<double> proportions;  ///< of each proportion; empty: none
+  double doubt = 1.0;               ///< of pose, proportions and placement: 1 before anything was read
+};
+
+/// How likely a line is a stretch of a curve. Where a stretch lies in a drawing is a normal distribution about where it
+/// is believed to be; its covariance is the sum of what a hand strays, of where lines begin and end, of what controls
+/// do by their usual shares, of proportions, and of the placement. The negative logarithm of that likelihood is the
+/// cost of a line.
+class Likeness {
+ public:
+  Likeness(const FaceView& face, const Belief& belief);
+
+  /// Half of the Mahalanobis square and of the logarithm of the determinant, and what a part costs beyond a whole;
+  /// infinite from `most` on. `line`: on the face.
+  [[nodiscard]] double cost(const Trace& line, std::size_t stretch, double most) const;
+  /// Where the stretch is believed to be.
+  [[nodiscard]] const Trace& mean(std::size_t stretch) const { return normals_[stretch].mean; }
+
+ private:
+  struct Normal {
+    Trace mean{};
+    std::array<double, k_numbers * k_numbers> factor{};  ///< lower Cholesky factor of the covariance, by rows
+    double constant = 0;
+  };
+  std::vector<Normal> normals_;
+};
+
+/// Columns of how a line may slide along a stretch that lies at `mean`: its ends, and three waves between them; each
+/// times its width of doubt.
+inline constexpr std::size_t k_slides = 5;
+[[nodiscard]] std::array<Trace, k_slides> slides_of(const Trace& mean, bool whole, double share);
+
+}  // namespace penpose::portrait

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/portrait/assignment.h"
+#include "core/portrait/face_view.h"
+#include "core/portrait/placement.h"
+
+// One drawing of a whole face: lines without labels, in any order, not quite in place.
+
+namespace penpose::portrait {
+
+inline constexpr std::size_t k_most_lines = 60;
+inline constexpr std::size_t k_most_curves = 60;
+
+/// A line of a drawing, px of the sheet, x to the right, y down. At least two points, not all at one place.
+using DrawnLine = std::vector<PxPoint>;
+
+/// Lines of one sheet; a second sheet by the same hand may show the face at rest in the same view.
+struct Drawing {
+  std::vector<DrawnLine> lines;
+  std::vector<DrawnLine> neutral;  ///< empty: none
+};
+
+/// What a line was taken for: a stretch of a curve.
+struct LineRead {
+  std::optional<std::size_t> curve;  ///< of those of the face; none: nothing known
+  double from = 0, to = 1;           ///< shares of the curve's length
+  bool reversed = false;             ///< drawn from its end to its beginning
+};
+
+struct DrawingRead {
+  std::vector<double> shares;   ///< one a control of the face
+  std::vector<LineRead> lines;  ///< one a line
+  std::vector<LineRead> neutral;
+  Placement placement;              ///< of the sheet on the face's own picture
+  std::vector<double> proportions;  ///< by how much the drawing's differ, one a proportion of the face
+  double energy = 0;                ///< what was minimised
+};
+
+/// Reads all lines of a drawing together: which curve each is, where the face lies on the sheet, in what proportions it
+/// is drawn, and which few controls make the rest of the difference. Labels are first the likeliest ones for each line
+/// under what a face may do at all (Likeness), then those of least energy together with the pose (LineSystem,
+/// SparseSolver), one line or two changed at a time. Errors (place: the line): no lines, too many, lines without
+/// length, numbers that are not finite.
+[[nodiscard]] base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing);
+
+}  // namespace penpose::portrait

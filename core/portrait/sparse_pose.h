@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/portrait/face_view.h"
+
+namespace penpose::portrait {
+
+/// E(w) = w'Aw - 2 b'w + c: squares of doubt that lines leave, of the shares of all controls.
+struct SquaresOfDoubt {
+  std::vector<double> curvature;  ///< A by rows
+  std::vector<double> pull;       ///< b
+  double constant = 0;            ///< c
+};
+
+/// Few controls that explain lines.
+struct SparsePose {
+  std::vector<std::size_t> units;  ///< ascending
+  std::vector<double> shares;      ///< one a control
+  double squares = 0;              ///< E
+  double energy = 0;               ///< what is minimised
+};
+
+/// Chooses units and their shares. The width of what lines leave is not known beforehand, for a rig follows a drawing
+/// only so far; so the energy is nu log(1 + E / nu), the likelihood of normal errors of unknown width (Student's t),
+/// and each unit that moves adds its cost. Adds, removes and exchanges units, one at a time, while that lowers the
+/// energy; the shares are least squares within ranges.
+class SparseSolver {
+ public:
+  explicit SparseSolver(const FaceView& face);
+
+  /// `from`: units to begin with.
+  [[nodiscard]] SparsePose solve(const SquaresOfDoubt& squares, std::span<const std::size_t> from);
+  /// With nothing moved.
+  [[nodiscard]] SparsePose still(const SquaresOfDoubt& squares) const;
+
+ private:
+  struct Trial {
+    std::vector<std::size_t> units;
+    std::vector<double> values;
+    double squares = 0;
+    double energy = 0;
+  };
+  [[nodiscard]] double curvature(std::size_t a, std::size_t b) const { return curvature_[a * count_ + b]; }
+  [[nodiscard]] Trial fit(std::vector<std::size_t> units);
+  /// Units that promise most beside a trial, the best first.
+  [[nodiscard]] std::vector<std::size_t> promising(const Trial& trial, std::size_t count) const;
+
+  const FaceView& face_;
+  std::size_t count_ = 0;
+  std::vector<double> low_, high_, costs_;  ///< one a unit
+  std::vector<double> curvature_, pull_;    ///< of units
+  double constant_ = 0;
+};
+
+}  // namespace penpose::portrait
