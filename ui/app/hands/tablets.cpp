@@ -81,17 +81,13 @@ struct Tablets::State {
     arrived.push_back({{open.back().number, tablet, nullptr, {}}, tablet.interface.identity, lights});
   }
 
-  /// An event device that was read because its hidraw node could not be opened yet ends when the node can be. What is
-  /// unplugged ends by itself, when all that it sent has been read.
-  void end_if_replaced(const device::LiveTablet& left, const std::vector<device::LiveTablet>& others) {
-    const bool is_replaced =
-        left.transport == device::Transport::event &&
-        std::any_of(others.begin(), others.end(), [&](const device::LiveTablet& other) {
-          return other.interface.parent == left.interface.parent && other.transport != device::Transport::event;
-        });
-    if (!is_replaced) return;
+  /// What is unplugged ends by itself, when all that it sent has been read.
+  void end_replaced(const device::TabletChanges& changes) {
     const std::scoped_lock lock(mutex);
-    for (Open& one : open) one.replaced = one.replaced || one.tablet.path() == left.path();
+    for (const device::LiveTablet& left : changes.left) {
+      if (!changes.replaced(left)) continue;
+      for (Open& one : open) one.replaced = one.replaced || one.tablet.path() == left.path();
+    }
   }
 
   /// A tablet that the kernel's driver does not serve shows the lights that the app has.
@@ -127,7 +123,7 @@ struct Tablets::State {
       if (::poll(waiting.data(), waiting.size(), -1) < 0 || stop) continue;
       if (waiting[1].revents != 0) {
         const device::TabletChanges changes = watch->next(0);
-        for (const auto& tablet : changes.left) end_if_replaced(tablet, changes.arrived);
+        end_replaced(changes);
         for (const auto& tablet : changes.arrived) add(tablet);
       }
       {
