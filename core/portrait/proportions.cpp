@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <functional>
-
-#include "core/base/text/letters.h"
 
 namespace penpose::portrait {
 namespace {
@@ -38,7 +37,8 @@ Middle middle_of(std::span<const Line> curves, const std::function<bool(std::siz
 }  // namespace
 
 Part part_named(const std::string& name) {
-  const std::string lower = base::lower_case(name);
+  std::string lower;
+  for (const char c : name) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto has = [&](const char* word) { return lower.find(word) != std::string::npos; };
   if (has("brow")) return Part::brow;
   if (has("eye") || has("lid")) return Part::eye;
