@@ -103,15 +103,6 @@ base::Error unreadable(const DeviceIdentity& device, const std::optional<base::E
   return error;
 }
 
-std::string guess_of(const TabletMatch& match, const DeviceIdentity& device) {
-  if (match.others == 0) return {};
-  std::string text = "one of " + std::to_string(match.others + 1) + " tablets with the ids ";
-  base::append_hex(text, device.vendor, 4);
-  text += ':';
-  base::append_hex(text, device.product, 4);
-  return text + ", read as " + match.tablet->vendor + ' ' + match.tablet->name;
-}
-
 base::Result<Recognition> make_decoder_of(const DeviceIdentity& device, const TabletTable* own) {
   hid::ReportDescriptor descriptor;
   std::optional<base::Error> descriptor_error;

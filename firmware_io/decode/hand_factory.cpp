@@ -176,6 +176,12 @@ std::unique_ptr<TouchDecoder> make_table_touch(const std::shared_ptr<const Proto
   return std::make_unique<VendorTouchDecoder>(protocol, tablet);
 }
 
+HandDecoders make_table_hand(const TabletMatch& match, const DeviceIdentity& device, const TabletTable* own) {
+  HandDecoders made{make_table_pad(match, device, own), make_table_touch(match.identifier->protocol, match.tablet)};
+  if (made.pad || made.touch) made.guess = guess_of(match, device);
+  return made;
+}
+
 HandDecoders make_hand_decoders_of(const DeviceIdentity& device, const TabletTable* own,
                                    const std::shared_ptr<TouchSwitch>& touch_switch) {
   ReportDescriptor descriptor;
@@ -198,7 +204,7 @@ HandDecoders make_hand_decoders_of(const DeviceIdentity& device, const TabletTab
   complete_identity(completed);
   if (own != nullptr && !own->is_choice()) {
     if (const auto match = own->find(completed)) {
-      return {make_table_pad(*match, device, own), make_table_touch(match->identifier->protocol, match->tablet)};
+      return make_table_hand(*match, device, own);
     }
   }
   if (is_wacom_receiver(completed)) {
@@ -219,8 +225,9 @@ HandDecoders make_hand_decoders_of(const DeviceIdentity& device, const TabletTab
   if (made.pad || (wacom && made.touch)) return made;
   const auto match = find_tablet(completed, own);
   if (match) {
-    made.pad = make_table_pad(*match, device, own);
-    if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
+    HandDecoders known = make_table_hand(*match, device, own);
+    if (made.touch) known.touch = std::move(made.touch);
+    made = std::move(known);
   }
   if (wacom) return made;
   const auto power = find_battery(descriptor);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "firmware_io/decode/sample/device_identity.h"
@@ -15,6 +16,7 @@ namespace penpose::decode {
 struct HandDecoders {
   std::unique_ptr<PadDecoder> pad;
   std::unique_ptr<TouchDecoder> touch;
+  std::string guess = {};  ///< as Recognition::guess, where one of them is the table's
 };
 
 /// Chooses the hand decoders in the same order as make_decoder chooses the pen's: the user's tablets

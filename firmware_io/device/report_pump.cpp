@@ -35,10 +35,15 @@ ReportPump::ReportPump(std::unique_ptr<ReportSource> source, Options options)
 }
 
 ReportPump::~ReportPump() {
+  stop();
+  if (event_ >= 0) ::close(event_);
+}
+
+void ReportPump::stop() {
+  if (!thread_.joinable()) return;
   stop_.store(true, std::memory_order_relaxed);
   thread_.join();
   source_.reset();
-  if (event_ >= 0) ::close(event_);
 }
 
 void ReportPump::signal() {

@@ -14,8 +14,8 @@
 
 namespace penpose::device {
 
-/// Reads a tablet in a thread of its own, from construction to destruction: wakes it, also after every sleep of the
-/// system, and puts its reports with their times of receipt into a ring, whether or not they are taken out.
+/// Reads a tablet in a thread of its own, from construction until it is stopped: wakes it, also after every sleep of
+/// the system, and puts its reports with their times of receipt into a ring, whether or not they are taken out.
 class ReportPump {
  public:
   struct Options {
@@ -27,11 +27,13 @@ class ReportPump {
   };
 
   ReportPump(std::unique_ptr<ReportSource> source, Options options);
-  /// Stops and closes the source; takes at most one waking step or 50 ms.
+  /// As `stop`.
   ~ReportPump();
   ReportPump(const ReportPump&) = delete;
   ReportPump& operator=(const ReportPump&) = delete;
 
+  /// Reads no more and closes the source; takes at most one waking step or 50 ms. What came can still be taken.
+  void stop();
   /// Takes the oldest record; false if there is none. Only one thread may take.
   bool take(Record& into) { return ring_.pop(into); }
   /// Waits until there is a record, the tablet is gone or the time is over. False if the time is over.

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 BUILD, PREFIX = [os.path.abspath(a) for a in sys.argv[1:3]]
@@ -74,6 +75,17 @@ class Installed(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout + done.stderr), (0, ''))
         done = run('appstreamcli', 'validate', '--no-net', path('share', 'metainfo', 'org.penpose.penpose.metainfo.xml'))
         self.assertEqual(done.returncode, 0, done.stdout)
+
+    @unittest.skipUnless(shutil.which('systemd-analyze'), 'systemd is not installed')
+    def test_systemd_understands_the_unit(self):
+        with open(path('share', 'penpose', 'boards', 'penpose.service'), encoding='utf-8') as f:
+            unit = re.sub(r'ExecStart=\S+', 'ExecStart=' + PENPOSE, f.read())
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, 'penpose.service')
+            with open(copy, 'w', encoding='utf-8') as f:
+                f.write(unit)
+            verified = run('systemd-analyze', 'verify', '--man=no', copy)
+        self.assertEqual((verified.returncode, verified.stderr), (0, ''))
 
     def test_types_are_told(self):
         """Sessions are known by what they begin with, projects by their ending; a plain .glb stays one."""

@@ -131,7 +131,7 @@ class Machine:
              '-chardev', f'file,id=live,path={self.live}', '-device', 'virtserialport,chardev=live,nr=2',
              '-device', 'qemu-xhci,id=usb', '-qmp', f'unix:{control},server=on,wait=off'] +
             [word for device in devices for word in ('-device', device)] +
-            (['-drive', f'file={disk},if=virtio,format=raw,readonly=on'] if disk else []))
+            (['-drive', f'file={disk},if=virtio,format=raw,snapshot=on'] if disk else []))
         self.qmp = None
         self.control = control
 

@@ -28,10 +28,24 @@ OVERRIDES = {'gl': '', 'es': 'MESA_GL_VERSION_OVERRIDE=1.4 MESA_GLES_VERSION_OVE
 WIDTH, HEIGHT = 640, 480
 LEAST_SHADES = 1000
 LEAST_SKIN = 0.02
+LEAST_MENU = 0.1
+
+
+def menu_pressed(options):
+    """What QEMU's mouse sends for a press on the menu, at the upper left of an upright panel: far into that corner, and back a little."""
+    back = -1 if options.way == 'frame_buffer' else 1
+    for x, y in ((-2000 * back, -2000 * back), (30 * back, 20 * back)):
+        yield [{'type': 'rel', 'data': {'axis': axis, 'value': value}} for axis, value in (('x', x), ('y', y))]
+    for down in (True, False):
+        yield [{'type': 'btn', 'data': {'button': 'left', 'down': down}}]
 
 
 def shades_of(picture):
     return {p for row in picture for p in row}
+
+
+def changed_share(before, after):
+    return sum(a != b for row, other in zip(before, after) for a, b in zip(row, other)) / (WIDTH * HEIGHT)
 
 
 class Screen(unittest.TestCase):
@@ -41,6 +55,10 @@ class Screen(unittest.TestCase):
         self.assertGreater(len(shades_of(picture)), LEAST_SHADES)
         self.assertGreater(screen_picture.skin_in(picture), LEAST_SKIN)
         self.assertLess(screen_picture.skin_in(picture), 0.5)
+
+    def test_a_press_on_the_menu_opens_it(self):
+        before, after = screen_picture.read(SHOT), screen_picture.read(SHOT + '.menu')
+        self.assertGreater(changed_share(before, after), LEAST_MENU)
 
     def test_the_console_comes_back(self):
         if OPTIONS.way in ('cpu', 'frame_buffer'):
@@ -75,6 +93,15 @@ def run_machine(options):
                 break
         time.sleep(2)
         vm.command('screendump', filename=shot)
+        for event in menu_pressed(options):
+            vm.command('input-send-event', events=event)
+            time.sleep(1)
+        before, until = screen_picture.read(shot), time.monotonic() + 60
+        while time.monotonic() < until:
+            time.sleep(2)
+            vm.command('screendump', filename=shot + '.menu')
+            if changed_share(before, screen_picture.read(shot + '.menu')) > LEAST_MENU:
+                break
         vm.command('device_del', id='mouse')
         vm.wait_for_mark('ended', 60)
         time.sleep(1)

@@ -48,7 +48,7 @@ App::App(AppOptions options)
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
-      bindings_(editing_, preferences_, desk_, tablets_),
+      bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
       place_(options_.clock),
       drag_(editing_, canvas_, dialogs_),
       dials_({options_.clock, editing_, canvas_, hits_, dialogs_, playback_, controls_, notices_, desk_, place_,

@@ -41,6 +41,7 @@ struct AppOptions {
   std::string program = "penpose";
   const decode::TabletTable* own_tablets = nullptr;
   bool slow_screen = false;  ///< nothing moves by itself, and while the pen draws the face waits until it rests
+  PanelTurn panel = {};      ///< how the panel is mounted that pens may be built into
 };
 
 /// The app without its window: it holds the owners, each with one subject, and updates them every frame. SDL, ImGui and

@@ -20,8 +20,12 @@ namespace {
 constexpr double k_tip_s = 0.55;
 /// Px that it may tremble by meanwhile.
 constexpr float k_still_px = 3;
-/// So much of a window's width and height is the canvas at least.
+/// So much of a window's width and height is the canvas at least, and so many targets, as far as there is room.
 constexpr double k_least_canvas = 0.35;
+constexpr double k_least_targets_across = 7;
+constexpr double k_least_targets_down = 4.5;
+/// So far, in targets, a press may tremble before it is a drag.
+constexpr double k_drag_slack = 0.25;
 constexpr int k_settle_frames = 3;
 /// Latin, dashes, dots and arrows; and the signs that the panels use, which not every font has.
 constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x2013, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0};
@@ -143,6 +147,8 @@ void Interface::frame(double passed_s) {
   context.cancels = std::exchange(cancels_, false);
   context.field_first = !wants_keys() && !io.MouseDown[0] && (types_ || opening_ > 0);
   if (opening_ > 0) --opening_;
+  context.scrolled = drag_scroll_.take();
+  if (context.scrolled) disturb();
   show_all(context);
   show_keyboard(context);
   draw_pointer();
@@ -153,9 +159,10 @@ void Interface::frame(double passed_s) {
   tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
   has_field_ = context.has_field;
   dialog_area_ = context.dialog_area;
+  drag_scroll_.set_areas(std::move(menu_open_ ? context.menu_scrolls : context.scrolls));
   ImGui::Render();
   if (unsettled_ > 0) --unsettled_;
-  if (!input_.pointer().empty() || !typed_.empty() || shown_ != dialogs_.open()) disturb();
+  if (!input_.pointer().empty() || !told_.empty() || !typed_.empty() || shown_ != dialogs_.open()) disturb();
 }
 
 void Interface::show_all(PanelContext& context) {
@@ -170,13 +177,14 @@ void Interface::show_all(PanelContext& context) {
   const bool plays = app_.of<Player>().trace.has_value();
   const double player = plays ? unit + 2 * gap : 0;
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
-  panels_.narrow = width - left - right < k_least_canvas * width;
+  panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
   if (panels_.narrow) {
     right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
     if (panels_.side_in_turn) left = 0;
   }
   double bottom = 3 * unit + 4 * gap;
-  if (height - top - bottom - player - status < k_least_canvas * height) bottom = unit + 2 * gap;
+  if (height - top - bottom - player - status < std::max(k_least_canvas * height, k_least_targets_down * unit))
+    bottom = unit + 2 * gap;
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
   Area free{0, 0, width, height};
   const double foot = height - (panels_.shown ? bottom : 0);
@@ -211,14 +219,21 @@ void Interface::take_pointer() {
     key_to_release_ = -1;
   }
   auto& pointer = input_.pointer();
-  while (!pointer.empty()) {
-    const PanelPointer next = pointer.front();
-    pointer.pop_front();
-    disturb();
-    if (type_on_screen(next)) {
-      if (key_to_release_ >= 0) break;
+  while (!told_.empty() || !pointer.empty()) {
+    if (told_.empty()) {
+      const PanelPointer next = pointer.front();
+      pointer.pop_front();
+      disturb();
+      if (!drag_scroll_.active() && type_on_screen(next)) {
+        if (key_to_release_ >= 0) break;
+        continue;
+      }
+      const auto told = drag_scroll_.add(next, k_drag_slack * canvas_.target_px());
+      told_.insert(told_.end(), told.begin(), told.end());
       continue;
     }
+    const PanelPointer next = told_.front();
+    told_.pop_front();
     io.MousePos = {static_cast<float>(next.at.x), static_cast<float>(next.at.y)};
     // What lies behind a dialog is neither lit nor pressed.
     const bool behind = shown_ != Dialog::none && !(dialog_area_ && dialog_area_->holds(next.at));

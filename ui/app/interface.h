@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/app/app.h"
+#include "ui/app/input/drag_scroll.h"
 #include "ui/app/input/screen_keyboard.h"
 
 namespace penpose::app {
@@ -98,7 +99,9 @@ class Interface {
   std::optional<PxPoint> pointer_;
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
-  int key_to_release_ = -1;     ///< of ImGui's, pressed on the screen
+  DragScroll drag_scroll_;
+  std::deque<PanelPointer> told_;  ///< what the panels are still to be told of the pointer
+  int key_to_release_ = -1;        ///< of ImGui's, pressed on the screen
   std::deque<Typed> typed_;
   bool accepts_ = false;             ///< Return was pressed for the dialog
   bool cancels_ = false;             ///< Escape was pressed for the dialog or the menu

@@ -12,6 +12,10 @@ void add_screen_options(CLI::App& app, files::WindowRequest& request) {
                  "Turn the picture clockwise by 90, 180 or 270 degrees, for a panel that is mounted turned; the "
                  "processor draws")
       ->check(CLI::IsMember(std::vector<int>{0, 90, 180, 270}));
+  app.add_option("--rotate-input", request.rotate_input,
+                 "Which pens and fingers are turned with the picture: fingers and pens of the machine itself "
+                 "(built-in), pens by USB and Bluetooth, too (all), or none, where the system turns them")
+      ->check(CLI::IsMember(std::vector<std::string>{"built-in", "all", "none"}));
   app.add_option("--dpi", request.dpi, "Pixels per inch of the screen, where it says none or wrong ones")
       ->check(CLI::Range(60.0, 600.0));
   app.add_option_function<std::string>(

@@ -6,7 +6,8 @@
 
 namespace penpose::cli {
 
-/// `--screen N`, `--rotate DEGREES`, `--dpi N`, `--screen-kind usual|slow`: the screen that the window is on.
+/// `--screen N`, `--rotate DEGREES`, `--rotate-input built-in|all|none`, `--dpi N`, `--screen-kind usual|slow`: the
+/// screen that the window is on.
 void add_screen_options(CLI::App& app, files::WindowRequest& request);
 
 }  // namespace penpose::cli

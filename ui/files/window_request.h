@@ -23,6 +23,7 @@ struct WindowRequest {
   std::string draw;           ///< how pictures are drawn: "gl", "es", "cpu"; empty: the best that starts
   std::optional<int> screen;  ///< which of the screens, from 0; none: the first
   int rotate = 0;             ///< degrees, clockwise, by which the picture is turned: 0, 90, 180, 270
+  std::string rotate_input;   ///< which pens and fingers turn with it: "built-in" (also empty), "all", "none"
   double dpi = 0;             ///< px per inch of the screen; 0: as it says itself
   bool slow_screen = false;   ///< one that takes long to change, such as electronic paper
   bool timings = false;       ///< prints how long things took when the window is closed

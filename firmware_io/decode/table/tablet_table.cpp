@@ -156,6 +156,15 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
                      possible.size() - 1};
 }
 
+std::string guess_of(const TabletMatch& match, const DeviceIdentity& device) {
+  if (match.others == 0) return {};
+  std::string text = "one of " + std::to_string(match.others + 1) + " tablets with the ids ";
+  base::append_hex(text, device.vendor, 4);
+  text += ':';
+  base::append_hex(text, device.product, 4);
+  return text + ", read as " + match.tablet->vendor + ' ' + match.tablet->name;
+}
+
 base::Result<TabletTable> TabletTable::choose(std::string_view name) const {
   const std::string wanted = base::lower_case(name);
   std::vector<const Tablet*> found;

@@ -91,6 +91,9 @@ struct TabletMatch {
   std::size_t others = 0;
 };
 
+/// What a match with `others` takes the device for, in words; empty where there are none.
+[[nodiscard]] std::string guess_of(const TabletMatch& match, const DeviceIdentity& device);
+
 class TabletTable {
  public:
   TabletTable() = default;

@@ -85,6 +85,12 @@ std::vector<LiveTablet> without(const std::vector<LiveTablet>& list, const std::
 
 }  // namespace
 
+bool TabletChanges::replaced(const LiveTablet& one) const {
+  return one.transport == Transport::event && std::any_of(arrived.begin(), arrived.end(), [&](const LiveTablet& other) {
+           return other.interface.parent == one.interface.parent && other.transport != Transport::event;
+         });
+}
+
 TabletChanges changes_between(const std::vector<LiveTablet>& before, const std::vector<LiveTablet>& after) {
   return {without(after, before), without(before, after)};
 }

@@ -16,6 +16,9 @@ struct TabletChanges {
   std::vector<LiveTablet> arrived;
   std::vector<LiveTablet> left;
   [[nodiscard]] bool empty() const { return arrived.empty() && left.empty(); }
+  /// Whether one that left is an event device that was read because no HID interface of the tablet could be opened yet,
+  /// and one of them arrived. What is unplugged is not replaced.
+  [[nodiscard]] bool replaced(const LiveTablet& one) const;
 };
 
 /// Compares two lists. A tablet stays the same one while it is plugged in. If its permission changed (a udev rule was

@@ -217,6 +217,25 @@ TEST_F(MockDevices, WhereHidrawMayBeOpenedItsEventDeviceIsNotListed) {
   EXPECT_EQ(status, 0);
 }
 
+TEST_F(MockDevices, AnEventDeviceThatWasThereFirstIsReplacedByItsHidrawNode) {
+  plug_in_ink();
+  plug_in_event_pen("/devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1B96:0001.0000", 4, "Ink pen");
+  const std::string node = real("/dev/hidraw0");
+  const std::string away = node + "-away";
+  ASSERT_EQ(::rename(node.c_str(), away.c_str()), 0);
+  auto watch = TabletWatch::start();
+  ASSERT_TRUE(watch);
+  ASSERT_EQ(watch->tablets().size(), 1u);
+  EXPECT_EQ(watch->tablets()[0].path(), "/dev/input/event4");
+  ASSERT_EQ(::rename(away.c_str(), node.c_str()), 0);
+  tell_added(0);
+  const TabletChanges changes = watch->next(10000);
+  ASSERT_EQ(changes.arrived.size(), 1u);
+  EXPECT_EQ(changes.arrived[0].path(), "/dev/hidraw0");
+  ASSERT_EQ(changes.left.size(), 1u);
+  EXPECT_TRUE(changes.replaced(changes.left[0]));
+}
+
 TEST_F(MockDevices, WithoutPermissionForAnEventDeviceTheGroupIsNamed) {
   plug_in_i2c("/devices/i2c-1/1-0009");
   plug_in_event_pen("/devices/i2c-1/1-0009", 4, "Wacom I2C Digitizer");

@@ -63,7 +63,7 @@ void show_sessions_dialog(PanelContext& context, Files& files, Recording& record
     const std::string now = recording.path();
     ImGui::TextWrapped("Everything that is drawn is recorded. This session: %s",
                        now.empty() ? "not recorded" : now.c_str());
-    ImGui::BeginChild("sessions", {0, 8 * context.unit}, true);
+    begin_list(context, "sessions", {0, 8 * context.unit}, true);
     for (const std::string& path : recording.past()) {
       if (path == now) continue;
       ImGui::PushID(path.c_str());

@@ -148,7 +148,7 @@ void show_radial_dialog(PanelContext& context, Preferences& preferences, Dialogs
       const std::string label = std::string(info(radial[i]).label) + "##place" + std::to_string(i);
       if (wide_button(context, label.c_str(), quarter, place == i)) place = i;
     }
-    ImGui::BeginChild("actions", {0, 6 * context.unit}, true);
+    begin_list(context, "actions", {0, 6 * context.unit}, true);
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     int column = 0;
     for (const ActionInfo& one : all_actions()) {

@@ -68,7 +68,7 @@ std::string browse(PanelContext& context, const Owners& with, float height, std:
   std::string& folder = with.dialogs.state<FileChoice>().folder;
   std::string chosen;
   ImGui::TextUnformatted(folder.c_str());
-  ImGui::BeginChild("files", {0, height}, true);
+  begin_list(context, "files", {0, height}, true);
   if (wide_button(context, "..##parent", -1)) folder = fs::path(folder).parent_path().string();
   for (const auto& entry : entries_of(folder, extensions)) {
     std::error_code ignored;
@@ -138,7 +138,7 @@ void show_recent_dialog(PanelContext& context, Leaving& leaving, Preferences& pr
     std::string chosen;
     const auto recent = preferences.settings().recent;
     if (recent.empty()) ImGui::TextUnformatted("Nothing yet.");
-    ImGui::BeginChild("recent", {0, 8 * context.unit}, true);
+    begin_list(context, "recent", {0, 8 * context.unit}, true);
     for (const std::string& path : recent) {
       const std::string label = fs::path(path).filename().string() + "##recent " + path;
       if (wide_button(context, label.c_str(), -1, false, path.c_str())) chosen = path;

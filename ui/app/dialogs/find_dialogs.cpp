@@ -102,7 +102,7 @@ void show_search_dialog(PanelContext& context, EditingSession& editing, Playback
     const auto found = find_commands(searched_in(with), dialogs.state<SearchEntry>().text);
     move_choice(dialogs.state<SearchEntry>().chosen, found.size());
     std::optional<FoundCommand> done;
-    ImGui::BeginChild("found", {0, list_height(context)}, true);
+    begin_list(context, "found", {0, list_height(context)}, true);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const FoundCommand& one = found[i];
       const std::string label = one.text + "##found " + std::to_string(static_cast<int>(one.kind)) + one.detail;
@@ -123,7 +123,7 @@ void show_shortcuts_dialog(PanelContext& context, EditingSession& editing, Playb
   if (begin_dialog(context, "Keys", k_wide)) {
     dialog_field(context, "##key search", dialogs.state<SearchEntry>().text, "search");
     std::optional<FoundCommand> done;
-    ImGui::BeginChild("keys", {0, list_height(context)}, true);
+    begin_list(context, "keys", {0, list_height(context)}, true);
     for (const FoundCommand& one : find_commands(searched_in(with), dialogs.state<SearchEntry>().text)) {
       if (one.kind != FoundCommand::Kind::action) continue;
       const ActionInfo& action = info(one.action);
@@ -144,7 +144,7 @@ void show_history_dialog(PanelContext& context, EditingSession& editing, Playbac
   if (begin_dialog(context, "What was done", 12)) {
     const auto steps = editing.steps().list();
     const std::size_t done = editing.editor().history().undo_count();
-    ImGui::BeginChild("steps", {0, list_height(context)}, true);
+    begin_list(context, "steps", {0, list_height(context)}, true);
     std::optional<std::size_t> to;
     const bool nothing = steps.empty() || steps.front().undone;
     if (row(context, "As it was opened##step 0", app::icon_of(Action::open), {}, nothing)) to = 0;

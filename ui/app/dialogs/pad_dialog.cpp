@@ -112,7 +112,7 @@ void Choices::show() {
     ImGui::SameLine();
     if (wide_button(context_, "Once", -1, once)) with_.dialogs.state<PadChoice>().once = once = true;
   }
-  ImGui::BeginChild("choices", {0, 0}, true);
+  begin_list(context_, "choices", {0, 0}, true);
   choice({});
   if (is_dial(control_)) {
     for (const Binding& one : dial_choices()) choice(one);
@@ -160,14 +160,14 @@ void show_pad_dialog(PanelContext& context, EditingSession& editing, HandDesk& d
       const float least = 5 * context.unit;
       const float height = std::clamp(dialogs.state<PadChoice>().height, std::min(2 * least, std::max(room, least)),
                                       std::max(room, least));
-      ImGui::BeginChild("pad", {10.6F * context.unit, height}, false);
+      begin_list(context, "pad", {10.6F * context.unit, height}, false);
       ImGui::BeginGroup();
       show_pad_picture(context, with, *tablet);
       ImGui::EndGroup();
       dialogs.state<PadChoice>().height = ImGui::GetItemRectSize().y + context.gap;
       ImGui::EndChild();
       ImGui::SameLine();
-      ImGui::BeginChild("chosen", {0, height}, false);
+      begin_list(context, "chosen", {0, height}, false);
       Choices(context, with, *tablet).show();
       ImGui::EndChild();
       if (wide_button(context, "As it was##pad") && preferences.settings().pads.erase(tablet->key) > 0)

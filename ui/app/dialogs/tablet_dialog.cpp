@@ -53,7 +53,10 @@ void test_area(PanelContext& context, const Owners& with, const replay::TabletSe
   const ImVec2 size{ImGui::GetContentRegionAvail().x - height - context.gap, height};
   ImGui::InvisibleButton("try", size);
   note(context, "try");
-  with.dialogs.state<PenTrial>().area = {from.x, from.y, from.x + size.x, from.y + size.y};
+  const Area area{from.x, from.y, from.x + size.x, from.y + size.y};
+  with.dialogs.state<PenTrial>().area = area;
+  // A line is drawn here, whichever way it goes.
+  context.scrolls.push_back({area});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to{from.x + size.x, from.y + size.y};
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);

@@ -10,8 +10,9 @@ using Kind = Binding::Kind;
 
 }  // namespace
 
-Bindings::Bindings(EditingSession& editing, Preferences& preferences, const HandDesk& desk, const KnownTablets& tablets)
-    : editing_(editing), preferences_(preferences), desk_(desk), tablets_(tablets) {}
+Bindings::Bindings(EditingSession& editing, Preferences& preferences, const HandDesk& desk, const KnownTablets& tablets,
+                   const PanelTurn& panel)
+    : editing_(editing), preferences_(preferences), desk_(desk), tablets_(tablets), panel_(panel) {}
 
 Binding Bindings::bound(const DeskTablet& tablet, const PadControl& control) const {
   const auto& pads = preferences_.settings().pads;
@@ -51,6 +52,9 @@ std::uint32_t Bindings::drawing_buttons(int device) const {
 replay::TabletSetting Bindings::setting_of(int device) const {
   replay::TabletSetting setting = preferences_.settings().tablet;
   setting.drawing_buttons = drawing_buttons(device);
+  if (const auto seen = tablets_.seen.find(device); seen != tablets_.seen.end()) {
+    setting.quarter_turns = (setting.quarter_turns + panel_.quarter_turns_of(seen->second)) % 4;
+  }
   return setting;
 }
 

@@ -26,6 +26,7 @@ struct Tablets::State {
     std::unique_ptr<device::ReportPump> pump;
     std::optional<decode::Lights> shown;  ///< the lights that it was told to show
     bool taken = false;                   ///< by another program, which was told
+    bool replaced = false;                ///< by another way to read the same tablet
   };
   struct Opened {
     Open open;
@@ -80,6 +81,15 @@ struct Tablets::State {
     arrived.push_back({{open.back().number, tablet, nullptr, {}}, tablet.interface.identity, lights});
   }
 
+  /// What is unplugged ends by itself, when all that it sent has been read.
+  void end_replaced(const device::TabletChanges& changes) {
+    const std::scoped_lock lock(mutex);
+    for (const device::LiveTablet& left : changes.left) {
+      if (!changes.replaced(left)) continue;
+      for (Open& one : open) one.replaced = one.replaced || one.tablet.path() == left.path();
+    }
+  }
+
   /// A tablet that the kernel's driver does not serve shows the lights that the app has.
   static void show_lights(Open& one, const TabletEvents& events) {
     const auto lights = events.lights_of(one.number);
@@ -112,7 +122,9 @@ struct Tablets::State {
       }
       if (::poll(waiting.data(), waiting.size(), -1) < 0 || stop) continue;
       if (waiting[1].revents != 0) {
-        for (auto& tablet : watch->next(0).arrived) add(tablet);
+        const device::TabletChanges changes = watch->next(0);
+        end_replaced(changes);
+        for (const auto& tablet : changes.arrived) add(tablet);
       }
       {
         const std::scoped_lock lock(mutex);
@@ -160,7 +172,7 @@ void Tablets::take(TabletEvents& events, Notices& notices) {
     state_->refused.clear();
     device::Record record;
     for (auto& one : state_->open) {
-      const bool ended = one.pump->gone();
+      const bool ended = one.pump->gone() || one.replaced;
       if (!std::exchange(one.taken, one.pump->is_taken()) && one.taken) {
         notices.tell(one.tablet.interface.identity.name + ": another program has it for itself; close that program",
                      true);

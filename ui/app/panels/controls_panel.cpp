@@ -369,7 +369,7 @@ void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canv
       editing.document().pending ? std::nullopt : articulation::find_deformer(*deformers, controls.selected());
   const float below = chosen ? 12.0F * context.unit : 0;
   const float list_height = std::max(2.5F * context.unit, ImGui::GetContentRegionAvail().y - below);
-  ImGui::BeginChild("controls", {0, list_height});
+  begin_list(context, "controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {
     const std::string& name = deformer->sketch().name;
     if (wide_button(context, name.c_str(), -1, name == controls.selected())) {

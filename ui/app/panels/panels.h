@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/camera.h"
 #include "ui/app/actions.h"
+#include "ui/app/input/drag_scroll.h"
 #include "ui/app/states.h"
 #include "ui/app/view/area.h"
 #include "ui/app/view/hit_map.h"
@@ -30,17 +32,20 @@ struct PanelContext {
   PosePictures& pictures;
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
-  std::optional<Area> typed_into = {};   ///< the text field that has the keyboard
-  std::vector<Area> fields = {};         ///< all that can be typed into
-  bool accepts = false;                  ///< Return was pressed: the dialog does what it is for
-  bool cancels = false;                  ///< Escape was pressed: the dialog, or else the menu, closes
-  bool field_first = false;              ///< the dialog's field takes the keyboard
-  bool has_field = false;                ///< the dialog has one
-  bool dialog_opens = false;             ///< it is in its first frame
-  bool menu_open = false;                ///< a menu is
-  std::optional<Area> dialog_area = {};  ///< where the dialog is
-  bool tip_due = false;                  ///< the pointer has rested long enough for a tooltip
-  bool tip_waits = false;                ///< it rests on something that has one
+  std::optional<Area> typed_into = {};        ///< the text field that has the keyboard
+  std::vector<Area> fields = {};              ///< all that can be typed into
+  bool accepts = false;                       ///< Return was pressed: the dialog does what it is for
+  bool cancels = false;                       ///< Escape was pressed: the dialog, or else the menu, closes
+  bool field_first = false;                   ///< the dialog's field takes the keyboard
+  bool has_field = false;                     ///< the dialog has one
+  bool dialog_opens = false;                  ///< it is in its first frame
+  bool menu_open = false;                     ///< a menu is
+  std::optional<Area> dialog_area = {};       ///< where the dialog is
+  std::vector<ScrollArea> scrolls = {};       ///< what a drag moves up and down; while a dialog is open, of that alone
+  std::vector<ScrollArea> menu_scrolls = {};  ///< of an open menu, which nothing else is hit beside
+  std::optional<std::pair<std::uint32_t, double>> scrolled = {};  ///< what a drag moved, and by how many px down
+  bool tip_due = false;                                           ///< the pointer has rested long enough for a tooltip
+  bool tip_waits = false;                                         ///< it rests on something that has one
 };
 
 /// Where panels lie in the window.

@@ -95,7 +95,7 @@ void show_expressions(PanelContext& context, const Owners& with) {
 }
 
 void show_pictures(PanelContext& context, const Owners& with, float height) {
-  ImGui::BeginChild("pictures", {0, height});
+  begin_list(context, "pictures", {0, height});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x;
   const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));

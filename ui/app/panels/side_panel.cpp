@@ -169,7 +169,7 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
   }
   ImGui::SameLine();
   action_button(context, Action::moved_only, moved, panels.own.of<ParameterList>().moved_only, "Moved");
-  ImGui::BeginChild("list");
+  begin_list(context, "list", {});
   show_list(context, with);
   ImGui::EndChild();
 }

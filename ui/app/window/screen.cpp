@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "firmware_io/device/clock.h"
+#include "ui/app/hands/panel_turn.h"
 #include "ui/app/view/present/cpu_presenter.h"
 #include "ui/app/view/present/output/drm_screens.h"
 
@@ -31,6 +33,7 @@ std::string drivers(bool bare, render::DrawWay way) {
 Screen::Screen(const files::WindowRequest& request)
     : wanted_(request.screen),
       rotation_(rotation_of(request.rotate).value_or(Rotation::none)),
+      finger_rotation_(turned_input(request.rotate_input) == TurnedInput::none ? Rotation::none : rotation_),
       wanted_dpi_(request.dpi),
       slow_(request.slow_screen) {
   const char* driver = std::getenv("SDL_VIDEODRIVER");
@@ -102,7 +105,8 @@ SDL_Rect Screen::place_of_window(bool fills) const {
 void Screen::take(SDL_Window* window) {
   window_ = window;
   if (bare_output_) {
-    // SDL knows no screen here, and gives the mouse to no window by itself.
+    // SDL knows no screen here and gives the mouse to no window; this makes it say that there is one.
+    bare_mouse_ = {panel().width / 2.0, panel().height / 2.0};
     SDL_WarpMouseInWindow(window, panel().width / 2, panel().height / 2);
   } else {
     SDL_Rect all = k_usual;
@@ -113,7 +117,7 @@ void Screen::take(SDL_Window* window) {
 
 std::unique_ptr<Presenter> Screen::cpu_presenter() {
   if (!bare_output_) output_ = make_window_output(window_);
-  return make_cpu_presenter(*output_, rotation_, slow_);
+  return make_cpu_presenter(*output_, rotation_, slow_, device::monotonic_us);
 }
 
 geometry::Viewport Screen::panel() const {
@@ -132,7 +136,17 @@ double Screen::dpi() const {
   return static_cast<double>(diagonal);
 }
 
+geometry::PxPoint Screen::moved_mouse(geometry::PxPoint to, geometry::PxPoint by) {
+  if (bare_output_) {
+    // SDL lets a mouse that belongs to no window leave the screen, and presses would be where it went.
+    bare_mouse_ = {std::clamp(bare_mouse_.x + by.x, 0.0, std::max(0.0, panel().width - 1.0)),
+                   std::clamp(bare_mouse_.y + by.y, 0.0, std::max(0.0, panel().height - 1.0))};
+  }
+  return of_mouse(to.x, to.y);
+}
+
 geometry::PxPoint Screen::of_mouse(double x, double y) const {
+  if (bare_output_) return on_picture(bare_mouse_, panel(), rotation_);
   int width = 0;
   int height = 0;
   SDL_GetWindowSize(window_, &width, &height);
@@ -141,7 +155,8 @@ geometry::PxPoint Screen::of_mouse(double x, double y) const {
 }
 
 geometry::PxPoint Screen::of_finger(double x, double y) const {
-  return on_picture({x * panel().width, y * panel().height}, panel(), rotation_);
+  const geometry::Viewport of = turned_size(size(), finger_rotation_);
+  return on_picture({x * of.width, y * of.height}, of, finger_rotation_);
 }
 
 }  // namespace penpose::app

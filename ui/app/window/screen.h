@@ -43,7 +43,9 @@ class Screen {
   /// The size of the picture.
   [[nodiscard]] geometry::Viewport size() const { return turned_size(panel(), rotation_); }
   [[nodiscard]] double dpi() const;
-  /// The place on the picture of the mouse, in SDL's units of the window, and of a finger, in shares of its size.
+  /// The place on the picture of the mouse that moved to a place by an amount, in SDL's units of the window.
+  [[nodiscard]] geometry::PxPoint moved_mouse(geometry::PxPoint to, geometry::PxPoint by);
+  /// The same of the mouse where SDL says that it is, and of a finger, in shares of the window's size.
   [[nodiscard]] geometry::PxPoint of_mouse(double x, double y) const;
   [[nodiscard]] geometry::PxPoint of_finger(double x, double y) const;
 
@@ -52,11 +54,13 @@ class Screen {
 
   std::optional<int> wanted_;
   Rotation rotation_;
+  Rotation finger_rotation_;  ///< none where the system turns fingers itself
   double wanted_dpi_;
   bool slow_;
   bool bare_;                 ///< there is no desktop
   bool bare_output_ = false;  ///< `output_` is a whole screen
   double bare_dpi_ = 0;
+  geometry::PxPoint bare_mouse_;  ///< on the panel, where `bare_output_`
   std::unique_ptr<PictureOutput> output_;
   SDL_Window* window_ = nullptr;
 };

@@ -87,7 +87,7 @@ struct Window::State {
   base::Status start(render::DrawWay one);
   void close();
   [[nodiscard]] std::unique_ptr<Presenter> presenter();
-  void take_event(const SDL_Event& event, App& app, Interface& interface) const;
+  void take_event(const SDL_Event& event, App& app, Interface& interface);
   static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
 
@@ -146,7 +146,7 @@ void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface)
   interface.key(key.keysym.scancode, {key_of(key.keysym.sym), ctrl, shift}, down);
 }
 
-void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
+void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) {
   const auto button_of = [](Uint8 button) {
     return button == SDL_BUTTON_LEFT     ? MouseButton::left
            : button == SDL_BUTTON_MIDDLE ? MouseButton::middle
@@ -161,7 +161,9 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       app.of<Leaving>().ask_to_quit();
       break;
     case SDL_MOUSEMOTION: {
-      const PxPoint at = screen.of_mouse(event.motion.x, event.motion.y);
+      const SDL_MouseMotionEvent& motion = event.motion;
+      const PxPoint at = screen.moved_mouse({static_cast<double>(motion.x), static_cast<double>(motion.y)},
+                                            {static_cast<double>(motion.xrel), static_cast<double>(motion.yrel)});
       if (screen.lacks_pointer()) interface.show_pointer(at);
       app.of<Pointer>().moved(at);
       break;

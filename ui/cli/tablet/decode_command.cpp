@@ -44,9 +44,9 @@ struct Interface {
   decode::ForeignReports desktop{};         ///< of a mouse or keyboard, by report id
   std::optional<decode::DescribedPad> pad;  ///< keys of the tablet, which are not printed here
   bool has_report_ids = false;
-  bool is_anew = false;      ///< declared again behind its reports: a decoder is to be chosen
-  bool prints_axes = false;  ///< before its next row of CSV, since they may be others than those at the top
-  bool axes_told = false;    ///< with its first sample of JSON
+  bool is_anew = false;    ///< declared again behind its reports: a decoder is to be chosen
+  bool axes_told = false;  ///< with its first sample
+  bool guessed = false;    ///< samples were read by the guess
 };
 
 class DecodeRun {
@@ -64,6 +64,7 @@ class DecodeRun {
   void hear(const replay::TraceReport& report);
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
+  [[nodiscard]] std::string shown(const decode::PenAxes& axes) const;
   void tell_axes(int device, const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
 
@@ -77,7 +78,7 @@ class DecodeRun {
   bool with_device_ = false;
   bool begun_ = false;
   std::uint64_t samples_ = 0;
-  std::string first_axes_;                ///< in JSON, those at the top
+  std::string first_axes_;                ///< as they are printed, those at the top
   std::map<int, std::string> told_axes_;  ///< of devices, those of the samples printed last
   std::set<std::string> guesses_;         ///< that samples were read by
 };
@@ -132,6 +133,7 @@ void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& iden
     interface.decoder = std::move(recognition->decoder);
     interface.method = recognition->method;
     interface.guess = recognition->guess;
+    interface.axes_told = false;
   } else {
     interface.decoder.reset();
     if (rowless_.refusals++ == 0) {
@@ -147,7 +149,6 @@ void DecodeRun::begin(int device) {
   Interface& anew = interfaces_[device];
   anew = {};
   anew.is_anew = true;
-  anew.prints_axes = true;
 }
 
 /// Behind a wireless receiver is another tablet from now on.
@@ -159,20 +160,34 @@ void DecodeRun::hear(const replay::TraceReport& report) {
 
 void DecodeRun::begin_output(const decode::PenAxes& axes) {
   begun_ = true;
+  first_axes_ = shown(axes);
   if (options_.json) {
-    append_json_axes(first_axes_, axes);
     out_ += "{\"axes\": {" + first_axes_ + "},\n\"samples\": [";
   } else {
     append_csv_header(out_, axes, with_device_);
   }
 }
 
-/// A member of a sample: the axes of its device's samples from it on, if they are others than those before.
+/// Axes as they are printed.
+std::string DecodeRun::shown(const decode::PenAxes& axes) const {
+  std::string text;
+  options_.json ? append_json_axes(text, axes) : append_csv_axes(text, axes);
+  return text;
+}
+
+/// The axes of a device's samples from here on, if they are others than those before: lines before the first row, or a
+/// member of the first sample.
 void DecodeRun::tell_axes(int device, const decode::PenAxes& axes) {
   std::string& told = told_axes_.try_emplace(device, first_axes_).first->second;
-  std::string now;
-  append_json_axes(now, axes);
-  if (now != told) out_ += ", \"axes\": {" + now + '}';
+  std::string now = shown(axes);
+  if (now != told) {
+    if (options_.json) {
+      out_ += ", \"axes\": {" + now + '}';
+    } else {
+      if (with_device_) out_ += "# device " + std::to_string(device) + '\n';
+      out_ += now;
+    }
+  }
   told = std::move(now);
 }
 
@@ -202,6 +217,8 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
       } else {
         out_ += "null";
       }
+      out_ += ", \"guess\": ";
+      append_json_guess(out_, read && interface->second.guessed ? interface->second.guess : std::string());
       out_ += '}';
     }
     out_ += "],\n\"reports\": " + std::to_string(rowless_.all) + "}\n";
@@ -214,15 +231,15 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
   for (const decode::PenSample& sample : interface.decoder->frames()) {
     const decode::PenAxes& axes = interface.decoder->axes();
     if (!begun_) begin_output(axes);
-    if (interface.prints_axes && !options_.json) append_csv_axes(out_, axes);
-    interface.prints_axes = false;
+    const bool told = std::exchange(interface.axes_told, true);
     const PrintedSample printed{report.index, report.time_us, report.device, &sample, &axes};
     if (options_.json) {
       out_ += samples_ == 0 ? "\n{" : ",\n{";
       append_json_sample(out_, printed);
-      if (!std::exchange(interface.axes_told, true)) tell_axes(report.device, axes);
+      if (!told) tell_axes(report.device, axes);
       out_ += '}';
     } else {
+      if (!told) tell_axes(report.device, axes);
       append_csv_row(out_, printed, with_device_);
     }
     ++samples_;
@@ -245,7 +262,10 @@ base::Status DecodeRun::decode(replay::TraceSource& source) {
     }
     if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
       print(report, interface);
-      if (!interface.guess.empty() && interface.decoder->by_table()) guesses_.insert(interface.guess);
+      if (!interface.guess.empty() && interface.decoder->by_table()) {
+        interface.guessed = true;
+        guesses_.insert(interface.guess);
+      }
     }
   });
 }
@@ -268,7 +288,7 @@ int DecodeRun::run() {
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, rowless_.all); status != k_success) return status;
   if (samples_ == 0) std::cerr << "penpose: " << why_no_rows(rowless_).line(options_.trace) << '\n';
-  for (const std::string& guess : guesses_) files::warn(files::guess_note(guess), options_.trace);
+  warn_of_guesses(guesses_, options_.trace);
   return k_success;
 }
 

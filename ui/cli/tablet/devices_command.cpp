@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "core/base/json/json.h"
@@ -159,7 +160,7 @@ void print(const decode::Tablet& tablet) {
 int list_known(const Options& options, const decode::TabletTable& own) {
   Json list = Json::array();
   std::size_t count = 0;
-  for (const auto& tablets : {own.tablets(), decode::known_tablets().tablets()}) {
+  const auto add = [&](std::span<const decode::Tablet> tablets) {
     for (const auto& tablet : tablets) {
       ++count;
       if (options.json) {
@@ -168,12 +169,15 @@ int list_known(const Options& options, const decode::TabletTable& own) {
         print(tablet);
       }
     }
-  }
+  };
+  add(own.tablets());
+  // One that was named is the whole answer.
+  if (!own.is_choice()) add(decode::known_tablets().tablets());
   if (options.json) {
     const Json out{{"count", count}, {"tablets", std::move(list)}};
     std::cout << out.dump_as_made(2) << '\n';
   } else {
-    std::cout << count << " tablets\n";
+    std::cout << count << (count == 1 ? " tablet\n" : " tablets\n");
   }
   return k_success;
 }

@@ -42,7 +42,7 @@ class HandRun {
   void end_frames_early(const replay::TraceReport& report, const decode::TouchSwitch* told);
   void hear(const replay::TraceReport& report);
   void begin(int device);
-  void begin_row();
+  void begin_row(const Interface& interface);
   void end_output(const replay::TraceSource& source);
 
   const HandDecodeOptions& options_;
@@ -51,6 +51,7 @@ class HandRun {
   decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
   std::set<int> begun_devices_;
+  std::set<std::string> guesses_;  ///< that rows were read by
   std::string out_;
   bool with_device_ = false;
   std::uint64_t rows_ = 0;
@@ -82,7 +83,8 @@ void HandRun::begin(int device) {
   switches_.leave(device);
 }
 
-void HandRun::begin_row() {
+void HandRun::begin_row(const Interface& interface) {
+  if (!interface.hand.guess.empty()) guesses_.insert(interface.hand.guess);
   if (options_.json) out_ += rows_ == 0 ? "\n{" : ",\n{";
   ++rows_;
 }
@@ -94,7 +96,7 @@ void HandRun::print_pad(const replay::TraceReport& report, Interface& interface)
   still.fine_wheel = {};
   if (still == interface.printed && sample.wheel == still.wheel && sample.fine_wheel == still.fine_wheel) return;
   interface.printed = still;
-  begin_row();
+  begin_row(interface);
   const PrintedPad printed{report.index, report.time_us, report.device, &sample, &interface.hand.pad->features()};
   if (options_.json) {
     append_json_pad(out_, printed, interface.hand.pad->battery());
@@ -104,7 +106,7 @@ void HandRun::print_pad(const replay::TraceReport& report, Interface& interface)
 }
 
 void HandRun::print_touch(const replay::TraceReport& report, const Interface& interface) {
-  begin_row();
+  begin_row(interface);
   const PrintedTouch printed{report.index, report.time_us, report.device, interface.hand.touch->contacts()};
   if (options_.json) {
     append_json_touch(out_, printed);
@@ -159,7 +161,7 @@ void HandRun::end_output(const replay::TraceSource& source) {
       const auto& hand = interface_for(source, number).hand;
       out_ += first ? "\n{" : ",\n{";
       first = false;
-      append_json_hand(out_, number, device.name, hand.pad.get(), hand.touch.get());
+      append_json_hand(out_, number, device.name, hand);
       out_ += '}';
     }
     out_ += "]}\n";
@@ -195,6 +197,7 @@ int HandRun::run() {
                            "", "without --pad and --touch the pen is printed"};
     std::cerr << "penpose: " << (reports_ == 0 ? why_no_rows({}) : none).line(options_.trace) << '\n';
   }
+  if (status == k_success) warn_of_guesses(guesses_, options_.trace);
   return status;
 }
 

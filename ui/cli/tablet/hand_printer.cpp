@@ -7,6 +7,7 @@
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "ui/cli/tablet/sample_printer.h"
+#include "ui/cli/tablet/trace_output.h"
 
 namespace penpose::cli {
 namespace {
@@ -130,22 +131,23 @@ void append_json_touch(std::string& out, const PrintedTouch& printed) {
   out += "]}";
 }
 
-void append_json_hand(std::string& out, int device, const std::string& name, const decode::PadDecoder* pad,
-                      const decode::TouchDecoder* touch) {
+void append_json_hand(std::string& out, int device, const std::string& name, const decode::HandDecoders& hand) {
   out += "\"device\": " + std::to_string(device) + ", \"name\": ";
   json::append_text(out, name);
-  if (pad != nullptr) {
-    const decode::PadFeatures& has = pad->features();
+  out += ", \"guess\": ";
+  append_json_guess(out, hand.guess);
+  if (hand.pad) {
+    const decode::PadFeatures& has = hand.pad->features();
     out += ", \"pad\": {\"keys\": ";
     append_json_names(out, has.keys);
     out += ", \"rings\": " + std::to_string(has.rings) + ", \"ring_maximum\": " + std::to_string(has.ring_maximum) +
            ", \"strips\": " + std::to_string(has.strips) + ", \"wheels\": " + std::to_string(has.wheels) +
            ", \"modes\": " + std::to_string(has.modes) + ", \"lights\": " + std::to_string(has.lights) + '}';
   }
-  if (touch != nullptr) {
-    out += ", \"touch\": {\"contacts\": " + std::to_string(touch->axes().contacts);
-    append_json_axis(out, "x", touch->axes().x);
-    append_json_axis(out, "y", touch->axes().y);
+  if (hand.touch) {
+    out += ", \"touch\": {\"contacts\": " + std::to_string(hand.touch->axes().contacts);
+    append_json_axis(out, "x", hand.touch->axes().x);
+    append_json_axis(out, "y", hand.touch->axes().y);
     out += '}';
   }
 }

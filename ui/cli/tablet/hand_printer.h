@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include "firmware_io/decode/sample/pad_decoder.h"
-#include "firmware_io/decode/sample/touch_decoder.h"
+#include "firmware_io/decode/hand_factory.h"
 
 namespace penpose::cli {
 
@@ -36,8 +35,8 @@ void append_csv_touch(std::string& out, const PrintedTouch& printed, bool with_d
 void append_json_pad(std::string& out, const PrintedPad& printed, const decode::Battery& battery);
 void append_json_touch(std::string& out, const PrintedTouch& printed);
 
-/// What the interface has of pad and touch (null: nothing), as members of an object.
-void append_json_hand(std::string& out, int device, const std::string& name, const decode::PadDecoder* pad,
-                      const decode::TouchDecoder* touch);
+/// What the interface has of pad and touch, as members of an object, and which of several tablets it is read as (empty:
+/// it is known).
+void append_json_hand(std::string& out, int device, const std::string& name, const decode::HandDecoders& hand);
 
 }  // namespace penpose::cli

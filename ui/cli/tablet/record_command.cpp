@@ -91,6 +91,7 @@ class RecordRun {
  private:
   base::Status open();
   void begin(device::LiveTablet tablet);
+  void end(Recorded& tablet, const char* why);
   void take_arrivals();
   base::Status write_new();
   void take_records();
@@ -150,10 +151,29 @@ base::Status RecordRun::open() {
   return base::Done{};
 }
 
-/// Tablets that come while others are recorded join them.
+void RecordRun::end(Recorded& tablet, const char* why) {
+  // It may have sent something since the last `take`.
+  device::Record record;
+  while (tablet.pump->take(record)) recorder_.add(tablet.number, record);
+  const std::string held = recorder_.end(tablet.number);
+  tablet.ended = true;
+  std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << why
+            << (held.empty() ? "" : " with " + held + " held: let go") << '\n';
+}
+
+/// Tablets that come while others are recorded join them; one that can be read in a better way now is read once.
 void RecordRun::take_arrivals() {
   if (!watch_) return;
-  for (device::LiveTablet& tablet : watch_->next(0).arrived) {
+  device::TabletChanges changes = watch_->next(0);
+  for (const device::LiveTablet& left : changes.left) {
+    if (!changes.replaced(left)) continue;
+    for (Recorded& recorded : tablets_) {
+      if (recorded.ended || recorded.place != place_of(left)) continue;
+      recorded.pump->stop();
+      end(recorded, " is read anew");
+    }
+  }
+  for (device::LiveTablet& tablet : changes.arrived) {
     // One that was taken from the kernel's driver looks like another one since then.
     const bool known = std::any_of(tablets_.begin(), tablets_.end(), [&](const Recorded& recorded) {
       return !recorded.ended && recorded.place == place_of(tablet);
@@ -173,13 +193,7 @@ void RecordRun::take_records() {
                    [](const auto& a, const auto& b) { return a.second.time_us < b.second.time_us; });
   for (const auto& [number, taken] : batch_) recorder_.add(number, taken);
   for (Recorded& tablet : tablets_) {
-    if (tablet.ended || !tablet.pump->gone()) continue;
-    // It may have sent something between the last `take` and its end.
-    while (tablet.pump->take(record)) recorder_.add(tablet.number, record);
-    const std::string held = recorder_.end(tablet.number);
-    tablet.ended = true;
-    std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << " was unplugged"
-              << (held.empty() ? "" : " with " + held + " held: let go") << '\n';
+    if (!tablet.ended && tablet.pump->gone()) end(tablet, " was unplugged");
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include <iostream>
 
+#include "core/base/json/json.h"
 #include "ui/cli/commands.h"
 #include "ui/files/files.h"
+#include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
 
@@ -32,6 +34,18 @@ int end_of_trace(const replay::TraceSource& source, const std::string& path, std
   // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.
   for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(path) << '\n';
   return k_success;
+}
+
+void warn_of_guesses(const std::set<std::string>& guesses, const std::string& path) {
+  for (const std::string& guess : guesses) files::warn(files::guess_note(guess), path);
+}
+
+void append_json_guess(std::string& out, const std::string& guess) {
+  if (guess.empty()) {
+    out += "null";
+  } else {
+    json::append_text(out, guess);
+  }
 }
 
 }  // namespace penpose::cli

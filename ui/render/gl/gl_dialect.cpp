@@ -21,6 +21,11 @@ std::string needs_of(DrawWay way) {
   return way == DrawWay::gl ? "OpenGL 3.1 or OpenGL ES 3.0" : "OpenGL ES 2.0 or OpenGL 2.1";
 }
 
+base::Error less_than(DrawWay way, const std::string& why) {
+  return {"the driver does not offer " + needs_of(way) + " (" + why + ")", "",
+          way == DrawWay::gl ? "draw with --draw es or --draw cpu" : "draw with --draw cpu"};
+}
+
 base::Result<GlDialect> dialect_of_context(DrawWay way) {
   GlDialect dialect;
   dialect.embedded = !epoxy_is_desktop_gl();
@@ -30,9 +35,7 @@ base::Result<GlDialect> dialect_of_context(DrawWay way) {
   // OpenGL 2.1 itself draws into windows alone.
   const bool framebuffers = dialect.embedded || version >= 30 || epoxy_has_gl_extension("GL_ARB_framebuffer_object") ||
                             epoxy_has_gl_extension("GL_EXT_framebuffer_object");
-  if (version < least || !framebuffers) {
-    return base::Error{"the driver offers only " + context_name(), "", needs_of(way) + " is needed"};
-  }
+  if (version < least || !framebuffers) return less_than(way, context_name());
   if (dialect.modern || !dialect.embedded) return dialect;
   dialect.derivatives = epoxy_has_gl_extension("GL_OES_standard_derivatives");
   dialect.depth_24 = epoxy_has_gl_extension("GL_OES_depth24");

@@ -20,6 +20,8 @@ struct GlVersion {
 [[nodiscard]] std::span<const GlVersion> versions_of(DrawWay way);
 /// "OpenGL 3.1 or OpenGL ES 3.0": what a way needs, for messages.
 [[nodiscard]] std::string needs_of(DrawWay way);
+/// That the driver offers less than that, with the ways that may still draw. `why`: what it said or offers.
+[[nodiscard]] base::Error less_than(DrawWay way, const std::string& why);
 
 /// What a renderer may ask of a context, whatever else that could do.
 struct GlDialect {

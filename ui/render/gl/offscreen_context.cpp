@@ -82,6 +82,7 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make(DrawWay w
   SDL_ResetHint(SDL_HINT_VIDEODRIVER);
   if (started != 0) return no_gl(way, sdl_error());
   made->video_ = true;
+  bool refused = false;
   for (const GlVersion& version : versions_of(way)) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
@@ -91,13 +92,15 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make(DrawWay w
     SDL_GLContext context = SDL_GL_CreateContext(window);
     if (context == nullptr) {
       SDL_DestroyWindow(window);
+      refused = true;
       continue;
     }
     made->window_ = window;
     made->context_ = context;
     return made;
   }
-  return no_gl(way, sdl_error());
+  // Where there is a window there is a driver.
+  return refused ? less_than(way, sdl_error()) : no_gl(way, sdl_error());
 }
 
 OffscreenContext::~OffscreenContext() {

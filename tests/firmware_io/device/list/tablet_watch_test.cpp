@@ -56,6 +56,16 @@ TEST(TabletChanges, ANodeThatIsBoundAnewIsAnotherOne) {
   EXPECT_FALSE(changes_between({before}, {after}).empty());
 }
 
+TEST(TabletChanges, AnEventDeviceIsReplacedByAnInterfaceOfTheSameTabletAlone) {
+  LiveTablet event = tablet("1-1");
+  event.interface.event_node = "/dev/input/event4";
+  event.transport = Transport::event;
+  EXPECT_TRUE(changes_between({event}, {tablet("1-1")}).replaced(event));
+  EXPECT_FALSE(changes_between({event}, {}).replaced(event)) << "it was unplugged";
+  EXPECT_FALSE(changes_between({event}, {tablet("1-2")}).replaced(event)) << "another tablet came";
+  EXPECT_FALSE(changes_between({tablet("1-1", Access::denied)}, {tablet("1-1")}).replaced(tablet("1-1")));
+}
+
 /// As it is in the end, read beside its driver.
 LiveTablet at_rest(const std::string& port) {
   LiveTablet made = tablet(port);

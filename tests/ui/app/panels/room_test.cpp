@@ -68,6 +68,39 @@ TEST(Room, ASmallScreenHasToolsAndSlidersInTurn) {
   }
 }
 
+TEST(Room, OnASmallScreenTheCanvasHasMostOfIt) {
+  Desk desk("canvas");
+  desk.begin();
+  desk.app->of<Pointer>().resized({480, 320}, 96);
+  desk.frames();
+  const Area& free = desk.app->of<Canvas>().free_area();
+  EXPECT_GT(free.width(), 0.7 * 480);
+  EXPECT_GT(free.height(), 0.6 * 320);
+}
+
+TEST(Room, ToolsThatHaveNoRoomAreDraggedIntoView) {
+  Desk desk("dragged");
+  desk.begin();
+  desk.app->of<Pointer>().resized({480, 320}, 96);
+  desk.frames(6);
+  ASSERT_EQ(desk.interface->find("Pressure"), nullptr);
+  const Area hold = *desk.interface->find("Hold");
+  auto& pointer = desk.app->of<Pointer>();
+  for (int turn = 0; turn < 8 && desk.interface->find("Pressure") == nullptr; ++turn) {
+    const PxPoint from = hold.middle();
+    pointer.button(MouseButton::left, true, from);
+    desk.frames(2);
+    for (const double by : {12, 40, 90, 120}) {
+      pointer.moved({from.x, from.y - by});
+      desk.frames(2);
+    }
+    pointer.button(MouseButton::left, false, {from.x, from.y - 120});
+    desk.frames(3);
+  }
+  ASSERT_NE(desk.interface->find("Pressure"), nullptr);
+  EXPECT_EQ(desk.app->of<ToolInHand>().now().button.label, "Pose") << "what the drag began on was not pressed";
+}
+
 TEST(Room, EveryDialogFitsIntoASmallScreen) {
   Desk desk("dialogs");
   desk.begin();

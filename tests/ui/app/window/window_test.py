@@ -100,6 +100,12 @@ class Screen:
         self.do("mouseup", 1)
         time.sleep(0.4)
 
+    def shows_something(self):
+        with open(os.path.join(self.folder, "Xvfb_screen0"), "rb") as file:
+            data = file.read()
+        head = struct.unpack(">25I", data[:100])
+        return any(data[head[0] + head[19] * 12 :])
+
     def picture(self, name):
         if self.pictures:
             write_png(os.path.join(self.folder, "Xvfb_screen0"), os.path.join(self.pictures, name + ".png"))
@@ -312,8 +318,7 @@ def killed_twice(program, screen, folder):
 
     def begin():
         process = subprocess.Popen([program], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        wait_for("the first frame", lambda: process.poll() is not None or
-                 (os.path.isdir(sessions) and any(lines_of(path, "# penpose view") for path in newest())))
+        wait_for("the first frame", lambda: process.poll() is not None or screen.shows_something())
         assert process.poll() is None, process.stdout.read()
         time.sleep(1.5)
         return process
@@ -327,10 +332,11 @@ def killed_twice(program, screen, folder):
     for _ in range(2):
         process.send_signal(signal.SIGKILL)
         process.wait()
-        before = len(lines_of(session, "# penpose state"))
+        before, begun = len(lines_of(session, "# penpose state")), len(lines_of(session, "# penpose tablet"))
         process = begin()
         screen.picture("11_offered")
         screen.key("Return")
+        wait_for("the work to be brought back", lambda: len(lines_of(session, "# penpose tablet")) > begun)
         time.sleep(1)
         screen.key("i")
         wait_for("the key in the session", lambda: len(lines_of(session, "# penpose state")) > before)

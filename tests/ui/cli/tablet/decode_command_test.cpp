@@ -82,6 +82,27 @@ TEST_F(DecodeCommand, SeveralDevicesAddAColumn) {
   EXPECT_NE(outcome.out.find(",button2,device\n1,10,0,0,0,0,0,,1,pen,0,0,0,1\n"), std::string::npos) << outcome.out;
 }
 
+TEST_F(DecodeCommand, OfSeveralDevicesEachTellsItsAxesBeforeItsFirstRow) {
+  decode::PenSample sample;
+  sample.in_range = true;
+  sample.tool = decode::Tool::pen;
+  tests::TraceText trace;
+  trace.device(0, {}, "3 28bd 0907").device(1, tests::ink_descriptor(), "3 1b96 1000");
+  const auto vendor = [&](int time_us) {
+    trace.line("D: 0").report(time_us, {0x02, 0xa1, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0});
+  };
+  vendor(0);
+  trace.line("D: 1").report(10, tests::ink_pen(sample)).report(20, tests::ink_pen(sample));
+  vendor(30);
+  const std::string out = decode(trace.text()).out;
+  EXPECT_TRUE(out.starts_with("# axis x 0 50800 200\n")) << out;
+  const auto second = out.find("\n# device 1\n# axis x 0 ");
+  ASSERT_NE(second, std::string::npos) << out;
+  EXPECT_LT(out.find("\n0,0,10000,20000,"), second) << out;
+  EXPECT_GT(out.find("\n1,10,"), second) << out;
+  EXPECT_EQ(out.find("# device", second + 3), std::string::npos) << "told once: " << out;
+}
+
 TEST_F(DecodeCommand, AGuessIsCalledAGuessUntilTheTabletIsNamed) {
   const std::string trace = tests::TraceText()
                                 .device(0, {}, "3 256c 006e")
@@ -91,6 +112,11 @@ TEST_F(DecodeCommand, AGuessIsCalledAGuessUntilTheTabletIsNamed) {
   EXPECT_EQ(guessed.status, 0);
   EXPECT_NE(guessed.error.find(": a guess: one of "), std::string::npos) << guessed.error;
   EXPECT_NE(guessed.error.find("256c:006e"), std::string::npos) << guessed.error;
+  const auto guess = [&](const std::vector<std::string>& options) {
+    return nlohmann::json::parse(decode(trace, options).out, nullptr, false)["devices"][0]["guess"];
+  };
+  EXPECT_NE(guess({"--json"}).get<std::string>().find("256c:006e, read as "), std::string::npos);
+  EXPECT_TRUE(guess({"--json", "--tablet", "New 1060 Plus"}).is_null());
   const Outcome named = decode(trace, {"--tablet", "New 1060 Plus"});
   EXPECT_EQ(named.error, "");
   EXPECT_TRUE(named.out.starts_with("# axis x 0 50800 200\n")) << named.out;

@@ -70,6 +70,18 @@ TEST_F(DevicesCommand, OwnTabletsComeFirst) {
   EXPECT_NE(outcome.out.find("325 tablets"), std::string::npos);
 }
 
+TEST_F(DevicesCommand, ATabletThatIsNamedIsListedAloneAndOnce) {
+  const auto outcome = run_program({"devices", "--known", "--tablet", "H640P"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(outcome.out.starts_with("Huion H640P: 160 x 100 mm")) << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with("\n1 tablet\n")) << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
+  const auto object =
+      nlohmann::json::parse(run_program({"devices", "--known", "--tablet", "H640P", "--json"}).out, nullptr, false);
+  EXPECT_EQ(object["count"], 1);
+  EXPECT_EQ(object["tablets"].size(), 1U);
+}
+
 TEST_F(DevicesCommand, ErrorsNameFileAndPlace) {
   write(R"({"penpose_tablets": 1, "tablets": 3})");
   const auto outcome = run_program({"devices", "--known", "--tablets", own()});

@@ -72,6 +72,21 @@ TEST_F(HandDecode, JsonTellsWhatThereIs) {
   EXPECT_EQ(touch["devices"][0]["touch"]["x"], nlohmann::json({0, 9600, 0.0}));
 }
 
+TEST_F(HandDecode, KeysThatAreReadByAGuessSaySo) {
+  const std::string trace = tests::TraceText()
+                                .device(0, {}, "3 256c 006e")
+                                .report(0, {0x08, 0xe0, 0x01, 0x01, 0x01, 0, 0, 0, 0, 0, 0, 0})
+                                .text();
+  const Outcome guessed = decode(trace, {"--pad"});
+  EXPECT_NE(guessed.out.find("BTN_"), std::string::npos) << guessed.out;
+  EXPECT_NE(guessed.error.find(": a guess: one of "), std::string::npos) << guessed.error;
+  const auto json = nlohmann::json::parse(decode(trace, {"--pad", "--json"}).out, nullptr, false);
+  EXPECT_NE(json["devices"][0]["guess"].get<std::string>().find("256c:006e"), std::string::npos);
+  const Outcome named = decode(trace, {"--pad", "--tablet", "New 1060 Plus"});
+  EXPECT_EQ(named.out, guessed.out);
+  EXPECT_EQ(named.error, "");
+}
+
 TEST_F(HandDecode, WithoutAHandThereAreNoRows) {
   const auto outcome = decode(touch_trace(), {"--pad", "--csv"});
   EXPECT_EQ(outcome.status, 0);

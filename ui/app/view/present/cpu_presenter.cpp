@@ -1,16 +1,21 @@
 #include "ui/app/view/present/cpu_presenter.h"
 
+#include <utility>
+
+#include "ui/app/view/present/moving_detail.h"
 #include "ui/app/view/present/output/changed_parts.h"
-#include "ui/app/view/present/panel_painter.h"
+#include "ui/app/view/present/panel_layer.h"
 #include "ui/render/cpu/cpu_renderer.h"
+#include "ui/render/cpu/curve_ink.h"
+#include "ui/render/picture/doubled.h"
 
 namespace penpose::app {
 namespace {
 
 class CpuPresenter final : public Presenter {
  public:
-  CpuPresenter(PictureOutput& output, Rotation rotation, bool slow)
-      : output_(output), rotation_(rotation), slow_(slow) {}
+  CpuPresenter(PictureOutput& output, Rotation rotation, bool slow, PresentClock clock)
+      : output_(output), rotation_(rotation), slow_(slow), clock_(std::move(clock)) {}
 
   base::Status begin() override {
     renderer_ = std::make_unique<render::CpuRenderer>();
@@ -23,11 +28,13 @@ class CpuPresenter final : public Presenter {
   void end() override { renderer_.reset(); }
 
   base::Status draw(const DrawFrame& frame, ImDrawData& panels) override {
-    renderer_->set_behind(frame.behind);
-    const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
-    if (!camera) return camera.error();
-    if (auto drawn = renderer_->draw(scene_of(frame), *camera, picture_); !drawn) return drawn;
-    paint_panels(panels, picture_);
+    const bool moved = view_ && !(view_->camera == frame.view.camera && view_->viewport == frame.view.viewport);
+    view_ = frame.view;
+    // A slow screen shows the end of a movement alone.
+    const bool coarse = !slow_ && detail_.begin(moved, clock_());
+    if (auto drawn = coarse ? draw_coarse(frame) : draw_whole(frame); !drawn) return drawn;
+    detail_.end(clock_());
+    panels_.lay(panels, picture_);
     return base::Done{};
   }
 
@@ -48,17 +55,51 @@ class CpuPresenter final : public Presenter {
     if (panel) drawable_ = turned_size(*panel, rotation_);
   }
 
-  void send_letters() override {}  // they are read where ImGui has them
+  void send_letters() override { panels_.forget(); }  // they are read where ImGui has them
 
-  [[nodiscard]] bool refining() const override { return !slow_ && renderer_->refining(); }
+  [[nodiscard]] bool refining() const override { return !slow_ && (detail_.coarse() || renderer_->refining()); }
   [[nodiscard]] std::vector<std::string> take_undrawn() override { return renderer_->take_undrawn(); }
   [[nodiscard]] std::optional<geometry::Viewport> drawable() const override { return drawable_; }
 
  private:
+  base::Status draw_whole(const DrawFrame& frame) {
+    renderer_->set_behind(frame.behind);
+    const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
+    if (!camera) return camera.error();
+    return renderer_->draw(scene_of(frame), *camera, picture_);
+  }
+
+  /// Half as wide and high and doubled; lines stay as thin as they are.
+  base::Status draw_coarse(const DrawFrame& frame) {
+    const auto [width, height] = frame.view.viewport;
+    render::Behind behind = frame.behind;
+    behind.from = behind.from * 0.5;
+    behind.to = behind.to * 0.5;
+    renderer_->set_behind(behind);
+    const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
+    const auto small = geometry::Camera::make(frame.view.camera, {(width + 1) / 2, (height + 1) / 2});
+    if (!camera) return camera.error();
+    if (!small) return small.error();
+    render::Scene scene = scene_of(frame);
+    scene.curves = {};
+    if (auto drawn = renderer_->draw(scene, *small, coarse_); !drawn) return drawn;
+    picture_.width = width;
+    picture_.height = height;
+    picture_.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    render::draw_doubled(coarse_, picture_);
+    render::draw_curves(frame.curves, *camera, picture_);
+    return base::Done{};
+  }
+
   PictureOutput& output_;
   Rotation rotation_;
   bool slow_;
   std::unique_ptr<render::CpuRenderer> renderer_;
+  PresentClock clock_;
+  MovingDetail detail_;
+  std::optional<document::View> view_;  ///< of the last picture
+  PanelLayer panels_;
+  render::Image coarse_;
   render::Image picture_;
   render::Image shown_;   ///< on a slow screen, what it shows
   render::Image turned_;  ///< on a panel that is mounted turned
@@ -67,8 +108,8 @@ class CpuPresenter final : public Presenter {
 
 }  // namespace
 
-std::unique_ptr<Presenter> make_cpu_presenter(PictureOutput& output, Rotation rotation, bool slow) {
-  return std::make_unique<CpuPresenter>(output, rotation, slow);
+std::unique_ptr<Presenter> make_cpu_presenter(PictureOutput& output, Rotation rotation, bool slow, PresentClock clock) {
+  return std::make_unique<CpuPresenter>(output, rotation, slow, std::move(clock));
 }
 
 }  // namespace penpose::app

@@ -207,14 +207,34 @@ bool begin_panel(PanelContext& context, const char* name, const Area& area, bool
   ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
   context.hits.panels.push_back(area);
-  return ImGui::Begin(name, nullptr,
-                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                          (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                          ImGuiWindowFlags_NoNav);
+  const bool shown = ImGui::Begin(name, nullptr,
+                                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoCollapse | (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+  if (scrolls) scrolls_by_drag(context);
+  return shown;
 }
 
 void end_panel() { ImGui::End(); }
+
+void scrolls_by_drag(PanelContext& context) {
+  if (ImGui::GetScrollMaxY() <= 0) return;
+  const ImGuiID id = ImGui::GetID("scrolls");
+  const ImVec2 from = ImGui::GetWindowPos();
+  // Its bar is dragged the other way.
+  context.scrolls.push_back({{from.x, from.y, from.x + ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize,
+                              from.y + ImGui::GetWindowHeight()},
+                             id});
+  if (!context.scrolled || context.scrolled->first != id) return;
+  const float to = ImGui::GetScrollY() - static_cast<float>(context.scrolled->second);
+  ImGui::SetScrollY(std::clamp(to, 0.0F, ImGui::GetScrollMaxY()));
+}
+
+void begin_list(PanelContext& context, const char* name, const ImVec2& size, bool border) {
+  ImGui::BeginChild(name, size, border);
+  scrolls_by_drag(context);
+}
 
 bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   const auto window = context.window;
@@ -238,6 +258,8 @@ bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   const bool shown = ImGui::Begin(title, &stays,
                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  context.scrolls.clear();
+  scrolls_by_drag(context);
   // A font is pushed and popped in one window.
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[0]);
   // The cross does what Escape does.
@@ -264,6 +286,10 @@ bool begin_menu(PanelContext& context, const char* name) {
   if (!ImGui::BeginPopup(name)) return false;
   context.hits.all = true;
   context.menu_open = true;
+  context.menu_scrolls.clear();
+  std::swap(context.scrolls, context.menu_scrolls);
+  scrolls_by_drag(context);
+  std::swap(context.scrolls, context.menu_scrolls);
   if (context.cancels) ImGui::CloseCurrentPopup();
   return true;
 }

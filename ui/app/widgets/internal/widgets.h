@@ -47,6 +47,10 @@ void text_beside(PanelContext& context, const char* text);
 /// A window without any decoration in a place of its own, part of the hit map.
 bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls = false);
 void end_panel();
+/// What is in the current window is scrolled by dragging it, too, where it has not all room.
+void scrolls_by_drag(PanelContext& context);
+/// A list that scrolls; `ImGui::EndChild` behind it. `size` as ImGui::BeginChild has it.
+void begin_list(PanelContext& context, const char* name, const ImVec2& size, bool border = false);
 /// A dialog in the middle of the window.
 bool begin_dialog(PanelContext& context, const char* title, float width_units);
 void end_dialog();

@@ -75,9 +75,19 @@ void prepare(Fragments& f, Prepared& p, const PxToEye& eye) {
   }
 }
 
-void add_light(const Fragments& f, Prepared& p, const Light& light) {
+/// Whether a light reaches some of the fragments; what it does not reach gets nothing of it.
+bool reaches(const Fragments& f, const Light& light, int from, int end) {
+  float most = 0;
+  for (int i = from; i < end; ++i) {
+    const float raw = f.normal_x[i] * light.x + f.normal_y[i] * light.y + f.normal_z[i] * light.z;
+    most += above_zero(raw + light.wrap);
+  }
+  return most != 0;
+}
+
+void add_light(const Fragments& f, Prepared& p, const Light& light, int from, int end) {
   const float wrapped = 1.0F / (1.0F + light.wrap);
-  for (int i = 0; i < f.count; ++i) {
+  for (int i = from; i < end; ++i) {
     const float raw = f.normal_x[i] * light.x + f.normal_y[i] * light.y + f.normal_z[i] * light.z;
     const float soft = above_zero((raw + light.wrap) * wrapped);
     const float nl = above_zero(raw);
@@ -117,7 +127,14 @@ void shade(Fragments& f, const PxToEye& eye) {
   static const Light rim = light(0.45F, 0.55F, -0.75F, 0.40F, 0.44F, 0.50F, 0.25F, 0.0F);
   Prepared p;
   prepare(f, p, eye);
-  for (const Light& one : {key, fill, rim}) add_light(f, p, one);
+  constexpr int k_together = 32;
+  for (int i = 0; i < f.count; i += k_together) {
+    const int end = i + k_together < f.count ? i + k_together : f.count;
+    for (const Light* one : {&key, &fill, &rim}) {
+      // The rim's light comes from behind, and most of a face does not see it.
+      if (one != &rim || reaches(f, rim, i, end)) add_light(f, p, *one, i, end);
+    }
+  }
   for (int i = 0; i < f.count; ++i) {
     const float dark = 1.0F - f.lit[i];
     p.red[i] = shoulder(p.red[i], f.open[i]) * f.lit[i] + f.red[i] * dark;

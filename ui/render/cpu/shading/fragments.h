@@ -8,7 +8,8 @@ namespace penpose::render {
 /// once. Vectors are in the camera's space: x right, y up, z towards the eye.
 struct Fragments {
   static constexpr int k_most = 256;
-  using Numbers = std::array<float, k_most>;
+  static constexpr int k_beyond = 4;  ///< numbers behind the last that may be written
+  using Numbers = std::array<float, k_most + k_beyond>;
 
   int count = 0;
   alignas(32) Numbers normal_x, normal_y, normal_z;  ///< of any length

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "ui/render/cpu/mixing.h"
@@ -9,14 +10,13 @@
 namespace penpose::render {
 namespace {
 
-float unit(std::uint8_t byte) {
-  static const std::array<float, 256> units = [] {
-    std::array<float, 256> made{};
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<float>(i) / 255.0F;
-    return made;
-  }();
-  return units[byte];
-}
+constexpr std::array<float, 256> k_units = [] {
+  std::array<float, 256> made{};
+  for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<float>(i) / 255.0F;
+  return made;
+}();
+
+float unit(std::uint8_t byte) { return k_units[byte]; }
 
 float smoothstep(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
@@ -34,6 +34,12 @@ glm::vec3 eye_color(const glm::vec3& white, float d, float per_px) {
   const glm::vec3 color = mixed(white, iris, 1.0F - smoothstep(0.46F - w - 0.015F, 0.46F + w + 0.015F, d));
   return mixed(color, glm::vec3(0.006F), 1.0F - smoothstep(0.19F - w, 0.19F + w, d));
 }
+
+/// Px of a row that are taken at once, by GCC's and Clang's vectors.
+constexpr int k_lanes = 4;
+using Lanes = float __attribute__((vector_size(k_lanes * sizeof(float))));
+using Wholes = std::int32_t __attribute__((vector_size(k_lanes * sizeof(std::int32_t))));
+static_assert(k_lanes <= Fragments::k_beyond);
 
 constexpr float k_polished_eye = 0.12F;
 /// The inside of something is this dim.
@@ -101,6 +107,7 @@ void SurfacePoints::prepare(std::uint32_t item, const ScreenTriangle& triangle) 
     p.edges[vertex] = {dx * (k_half - from.y) - dy * (k_half - from.x), -dy * k_subpixels, dx * k_subpixels};
     p.inverse_depths[vertex] = triangle.corners[k].inverse_depth;
   }
+  p.even = false;
   if (triangle.segment->surface != nullptr) return;
   const auto same = [&](std::size_t a, std::size_t b) {
     const std::uint32_t u = triangle.vertices[a];
@@ -110,6 +117,8 @@ void SurfacePoints::prepare(std::uint32_t item, const ScreenTriangle& triangle) 
   p.plain_paint = same(0, 1) && same(0, 2);
   p.paints[0] = paint_of(triangle.vertices[0]);
   p.base = p.paints[0].albedo * p.paints[0].albedo;
+  p.even = p.plain_paint && p.paints[0].surface.z >= 0.999F && triangle.piece == nullptr &&
+           internal::is_small(px_around(triangle.corners));
   if (p.plain_paint) return;
   p.paints[1] = paint_of(triangle.vertices[1]);
   p.paints[2] = paint_of(triangle.vertices[2]);
@@ -150,6 +159,53 @@ float SurfacePoints::add(int x, int y, Fragments& fragments) const {
       triangle.segment->surface != nullptr ? add_of_look(x, y, fragments) : add_plain(x, y, s, fragments);
   ++fragments.count;
   return alpha;
+}
+
+void SurfacePoints::add_run(int x, int y, int count, Fragments& fragments) const {
+  const Prepared& p = *chosen_;
+  const ScreenTriangle& triangle = p.triangle;
+  if (!p.even) {
+    for (int i = 0; i < count; ++i) add(x + i, y, fragments);
+    return;
+  }
+  const float sign = triangle.front ? 1.0F : -1.0F;
+  std::array<Wholes, 3> edge{};
+  std::array<Wholes, 3> step{};
+  constexpr Wholes k_lane_numbers{0, 1, 2, 3};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto by_x = static_cast<std::int32_t>(p.edges[k].by_x);
+    edge[k] = static_cast<std::int32_t>(p.edges[k].at_origin + p.edges[k].by_x * x + p.edges[k].by_y * y) +
+              k_lane_numbers * by_x;
+    step[k] = Wholes{} + by_x * k_lanes;
+  }
+  const glm::vec3& a = vertices_[triangle.vertices[0]].normal;
+  const glm::vec3& b = vertices_[triangle.vertices[1]].normal;
+  const glm::vec3& c = vertices_[triangle.vertices[2]].normal;
+  const float eye_y = static_cast<float>(y) + 0.5F;
+  const float open = triangle.front ? 1.0F : k_inside;
+  for (int first = 0; first < count; first += k_lanes) {
+    const auto at = static_cast<std::size_t>(fragments.count + first);
+    const auto put = [at](Fragments::Numbers& numbers, const Lanes& lanes) {
+      std::memcpy(numbers.data() + at, &lanes, sizeof lanes);
+    };
+    const Lanes s0 = __builtin_convertvector(edge[0], Lanes) * p.inverse_depths[0];
+    const Lanes s1 = __builtin_convertvector(edge[1], Lanes) * p.inverse_depths[1];
+    const Lanes s2 = __builtin_convertvector(edge[2], Lanes) * p.inverse_depths[2];
+    for (std::size_t k = 0; k < 3; ++k) edge[k] += step[k];
+    put(fragments.normal_x, (a.x * s0 + b.x * s1 + c.x * s2) * sign);
+    put(fragments.normal_y, (a.y * s0 + b.y * s1 + c.y * s2) * sign);
+    put(fragments.normal_z, (a.z * s0 + b.z * s1 + c.z * s2) * sign);
+    put(fragments.eye_x, __builtin_convertvector(k_lane_numbers + (x + first), Lanes) + 0.5F);
+    put(fragments.eye_y, Lanes{} + eye_y);
+    put(fragments.red, Lanes{} + p.base.x);
+    put(fragments.green, Lanes{} + p.base.y);
+    put(fragments.blue, Lanes{} + p.base.z);
+    put(fragments.roughness, Lanes{} + p.paints[0].surface.x);
+    put(fragments.metallic, Lanes{} + p.paints[0].surface.y);
+    put(fragments.open, Lanes{} + open);
+    put(fragments.lit, Lanes{} + 1.0F);
+  }
+  fragments.count += count;
 }
 
 float SurfacePoints::add_plain(int x, int y, const Shares& unscaled, Fragments& fragments) const {

@@ -57,6 +57,8 @@ class SurfacePoints {
   /// Adds what is seen at a px to fragments that are not full; returns its alpha, for a plain surface without its
   /// shine.
   float add(int x, int y, Fragments& fragments) const;
+  /// The same for px of a row, which fragments have room for; their alpha does not matter.
+  void add_run(int x, int y, int count, Fragments& fragments) const;
 
  private:
   using Shares = glm::vec3;  ///< of the three corners, in the order of the triangle's vertices
@@ -77,6 +79,7 @@ class SurfacePoints {
     std::array<Edge, 3> edges{};  ///< against each vertex of the triangle, or of the piece
     std::array<float, 3> inverse_depths{};
     bool plain_paint = false;  ///< the same at all vertices
+    bool even = false;         ///< that, no eye, and edges within 31 bits at all its px and a few beside
     std::array<Paint, 3> paints{};
     glm::vec3 base{0};  ///< of plain paint, linear
   };

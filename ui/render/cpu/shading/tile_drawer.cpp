@@ -20,9 +20,9 @@ void blend_px(std::uint8_t* out, const std::array<float, 3>& color, float alpha)
 class DepthOf {
  public:
   DepthOf(const Corners& c, std::int64_t area) : plane_(depth_plane(c, area)) {
-    const auto [least, most] = std::minmax({c[0].inverse_depth, c[1].inverse_depth, c[2].inverse_depth});
-    least_ = least;
-    most_ = most;
+    const auto [low, high] = std::minmax(c[0].inverse_depth, c[1].inverse_depth);
+    least_ = std::min(low, c[2].inverse_depth);
+    most_ = std::max(high, c[2].inverse_depth);
   }
   [[nodiscard]] float at(int x, int y) const {
     const float raw = plane_.at(x, y);
@@ -50,9 +50,13 @@ TileDrawer::TileDrawer(const TileScene& scene)
 
 void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
   rect_ = scene_.items.tile(tile);
+  const auto items = scene_.items.items(tile);
+  if (items.empty() && scene_.edges.empty() && depths.empty()) {
+    draw_backdrop(picture);
+    return;
+  }
   depth_.fill(0.0F);
   nearest_.fill(k_nothing);
-  const auto items = scene_.items.items(tile);
   std::size_t next = 0;
   const Segment* segment = nullptr;
   behind_.clear();
@@ -67,7 +71,7 @@ void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
       behind_.push_back(items[next]);
     }
   }
-  measure_blocks();
+  if (!behind_.empty()) measure_blocks();
   for (const std::uint32_t item : behind_) {
     const ScreenTriangle triangle = screen_triangle(item, scene_.vertices, scene_.items, segment);
     segment = triangle.segment;
@@ -102,7 +106,7 @@ void TileDrawer::measure_blocks() {
 
 bool TileDrawer::is_hidden(const ScreenTriangle& triangle) const {
   const Corners& c = triangle.corners;
-  const float nearest = std::max({c[0].inverse_depth, c[1].inverse_depth, c[2].inverse_depth});
+  const float nearest = std::max(std::max(c[0].inverse_depth, c[1].inverse_depth), c[2].inverse_depth);
   const PxRect px = shared_part(px_around(c), rect_);
   for (int row = (px.top - rect_.top) / k_block_px; row * k_block_px < px.bottom - rect_.top; ++row) {
     for (int column = (px.left - rect_.left) / k_block_px; column * k_block_px < px.right - rect_.left; ++column) {
@@ -157,13 +161,21 @@ void TileDrawer::finish_opaque(Image& picture) {
 
 void TileDrawer::draw_nearest(Image& picture) {
   for (int y = rect_.top; y < rect_.bottom; ++y) {
-    for (int x = rect_.left; x < rect_.right; ++x) {
+    int x = rect_.left;
+    while (x < rect_.right) {
       const std::size_t i = at(x, y);
-      if (nearest_[i] == k_nothing) continue;
-      points_.choose(nearest_[i]);
-      place_[static_cast<std::size_t>(fragments_.count)] = static_cast<std::uint16_t>(i);
-      points_.add(x, y, fragments_);
-      if (fragments_.count == Fragments::k_most) finish_opaque(picture);
+      const std::uint32_t item = nearest_[i];
+      const int begin = x++;
+      if (item == k_nothing) continue;
+      while (x < rect_.right && nearest_[at(x, y)] == item) ++x;
+      const int count = x - begin;
+      if (fragments_.count + count > Fragments::k_most) finish_opaque(picture);
+      for (int k = 0; k < count; ++k) {
+        place_[static_cast<std::size_t>(fragments_.count + k)] =
+            static_cast<std::uint16_t>(i + static_cast<std::size_t>(k));
+      }
+      points_.choose(item);
+      points_.add_run(begin, y, count, fragments_);
     }
   }
   finish_opaque(picture);

@@ -5,11 +5,6 @@
 
 namespace penpose::render {
 
-PxRect tiles_of(const PxRect& px) {
-  return {px.left / DrawItems::k_tile_width, px.top / DrawItems::k_tile_height,
-          (px.right - 1) / DrawItems::k_tile_width + 1, (px.bottom - 1) / DrawItems::k_tile_height + 1};
-}
-
 PxRect DrawItems::tile(int index) const {
   const int left = index % columns_ * k_tile_width;
   const int top = index / columns_ * k_tile_height;

@@ -25,9 +25,6 @@ struct Segment {
   bool see_through = false;  ///< blended over what is behind it
 };
 
-/// The tiles that some px of a picture lie in, as columns and rows.
-[[nodiscard]] PxRect tiles_of(const PxRect& px);
-
 /// What is drawn in each tile of a picture, in the order in which it is drawn.
 class DrawItems {
  public:
@@ -66,5 +63,14 @@ class DrawItems {
   std::vector<std::uint32_t> items_;
   std::vector<std::uint32_t> starts_;  ///< of each tile in items_, and the end
 };
+
+/// The tiles that some px of a picture lie in, as columns and rows. Precondition: there are some.
+[[nodiscard]] inline PxRect tiles_of(const PxRect& px) {
+  // Sides are powers of two, and no place is below zero.
+  constexpr unsigned k_width = DrawItems::k_tile_width;
+  constexpr unsigned k_height = DrawItems::k_tile_height;
+  const auto in = [](int at, unsigned side) { return static_cast<int>(static_cast<unsigned>(at) / side); };
+  return {in(px.left, k_width), in(px.top, k_height), in(px.right - 1, k_width) + 1, in(px.bottom - 1, k_height) + 1};
+}
 
 }  // namespace penpose::render

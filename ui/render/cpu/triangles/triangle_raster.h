@@ -25,8 +25,10 @@ using Corners = std::array<Corner, 3>;
 
 /// The px whose middles may lie in a triangle.
 [[nodiscard]] inline PxRect px_around(const Corners& c) {
-  const auto [x0, x1] = std::minmax({c[0].x, c[1].x, c[2].x});
-  const auto [y0, y1] = std::minmax({c[0].y, c[1].y, c[2].y});
+  const std::int32_t x0 = std::min(std::min(c[0].x, c[1].x), c[2].x);
+  const std::int32_t x1 = std::max(std::max(c[0].x, c[1].x), c[2].x);
+  const std::int32_t y0 = std::min(std::min(c[0].y, c[1].y), c[2].y);
+  const std::int32_t y1 = std::max(std::max(c[0].y, c[1].y), c[2].y);
   // Middles lie at half a px; shifts of negative numbers round down.
   constexpr int k_half = k_subpixels / 2;
   return {(x0 + k_half - 1) >> 8, (y0 + k_half - 1) >> 8, ((x1 - k_half) >> 8) + 1, ((y1 - k_half) >> 8) + 1};

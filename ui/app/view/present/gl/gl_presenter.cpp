@@ -84,6 +84,7 @@ base::Result<GlWindow> open_gl_window(render::DrawWay way,
   if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
   // The picture is averaged before it reaches the window, which needs no depth of its own.
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  bool refused = false;
   for (const render::GlVersion& version : render::versions_of(way)) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
@@ -94,11 +95,14 @@ base::Result<GlWindow> open_gl_window(render::DrawWay way,
     made.context = SDL_GL_CreateContext(made.window);
     if (made.context != nullptr) return made;
     SDL_DestroyWindow(made.window);
+    refused = true;
   }
-  const std::string why = SDL_GetError();
-  return base::Error{render::needs_of(way) + " could not be started (" +
-                         (why.empty() ? "no reason given" : why.substr(0, why.find('\n'))) + ")",
-                     "", "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
+  std::string why = SDL_GetError();
+  why = why.empty() ? "no reason given" : why.substr(0, why.find('\n'));
+  // Where there is a window there is a driver.
+  if (refused) return render::less_than(way, why);
+  return base::Error{render::needs_of(way) + " could not be started (" + why + ")", "",
+                     "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
 }
 
 std::unique_ptr<Presenter> make_gl_presenter(const GlWindow& window, render::DrawWay way) {
