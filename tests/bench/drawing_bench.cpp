@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -63,9 +62,7 @@ class Artist {
         curves_(std::move(curves)),
         rest_(rig::rest_pose(*model.rig)),
         camera_(portrait::camera_of_drawing(*model.rig, curves_, rest_, 0)) {
-    free_.resize(rest_.size());
-    std::iota(free_.begin(), free_.end(), std::size_t{0});
-    std::erase_if(free_, [&](std::size_t i) { return whole.joint[i] != intent::k_no_partner; });
+    free_ = tracking::free_of_drawing(model, whole, curves_);
   }
 
   [[nodiscard]] base::Result<portrait::FaceView> view() const {

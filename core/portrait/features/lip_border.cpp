@@ -28,7 +28,7 @@ constexpr double k_unusual = 0.25, k_rough = 0.02;
 constexpr int k_jump = 4;
 
 /// A turn, less that of the hollow, which leaves no doubt.
-constexpr double k_clear = 0.3;
+constexpr double k_clear = 0.34;
 
 struct Ray {
   double x = 0, y = 0;    ///< its start, px

@@ -120,14 +120,6 @@ void print_json(const DrawArguments& arguments, const io::PictureLines& drawn,
   std::cout << out.dump_as_made() << '\n';
 }
 
-/// Parameters that a drawing of a face may move: all but those of joints that are locked or carry the face, which
-/// FaceView leaves out.
-std::vector<std::size_t> all_of(const rig::Rig& rig) {
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < rig.parameters().size(); ++i) free.push_back(i);
-  return free;
-}
-
 int draw(const DrawArguments& arguments) {
   files::FileRoles roles;
   roles.reads(arguments.model);
@@ -162,7 +154,8 @@ int draw(const DrawArguments& arguments) {
     if (whole.joint[i] == intent::k_no_partner) start[i] = rest[i];
   }
   const auto camera = portrait::camera_of_drawing(*model.rig, curves, start, arguments.yaw_degrees);
-  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start, all_of(*model.rig));
+  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start,
+                                                 tracking::free_of_drawing(model, whole, curves));
   if (!posed) return files::report(posed.error(), arguments.drawing);
   if (arguments.json) {
     print_json(arguments, *drawn, neutral, *posed, *document, *features);

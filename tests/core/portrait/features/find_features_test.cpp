@@ -127,7 +127,8 @@ const FoundCurve* named(const std::vector<FoundCurve>& all, const std::string& n
   return at == all.end() ? nullptr : &*at;
 }
 
-const std::vector<std::string> k_lips{"lip_upper_outer", "lip_lower_outer", "lip_upper_inner", "lip_lower_inner"};
+const std::vector<std::string> k_seams{"lip_upper_inner", "lip_lower_inner"};
+const std::vector<std::string> k_borders{"lip_upper_outer", "lip_lower_outer"};
 const std::vector<std::string> k_lids{"eyelid_upper_L", "eyelid_upper_R", "eyelid_lower_L", "eyelid_lower_R"};
 const std::vector<std::string> k_brows{"brow_L", "brow_R"};
 
@@ -148,16 +149,18 @@ void expect_near(const Head& head, const std::vector<FoundCurve>& found, const s
 TEST(FindFeatures, FindsLipsAndLidsOfAHeadWithoutNames) {
   const Head head = changed({});
   const auto found = found_on(head);
-  expect_near(head, found, k_lips);
+  expect_near(head, found, k_seams);
+  expect_near(head, found, k_borders, true);
   expect_near(head, found, k_lids);
   expect_near(head, found, k_brows, true);
 }
 
-TEST(FindFeatures, FindsBrowsThatAreAMaterialOfTheirOwn) {
+TEST(FindFeatures, FindsBrowsAndLipsThatAreAMaterialOfTheirOwn) {
   Head head = changed({});
   head.mesh = demo().mesh;
   head.rig = demo().rig;
   expect_near(head, found_on(head), k_brows);
+  expect_near(head, found_on(head), k_borders);
 }
 
 TEST(FindFeatures, FindsThemWhateverTheSizeTheFrontAndTheOrder) {
@@ -167,7 +170,8 @@ TEST(FindFeatures, FindsThemWhateverTheSizeTheFrontAndTheOrder) {
     SCOPED_TRACE(testing::Message() << change.scale << " " << change.yaw_degrees << " " << change.shuffled);
     const Head head = changed(change);
     const auto found = found_on(head);
-    expect_near(head, found, k_lips);
+    expect_near(head, found, k_seams);
+    expect_near(head, found, k_borders, true);
     expect_near(head, found, k_lids);
     expect_near(head, found, k_brows, true);
   }
@@ -176,7 +180,7 @@ TEST(FindFeatures, FindsThemWhateverTheSizeTheFrontAndTheOrder) {
 TEST(FindFeatures, RunsAsTheLandmarksOfOtherHeadsDo) {
   const Head head = changed({});
   const auto found = found_on(head);
-  for (const std::string& name : k_lips) {
+  for (const char* name : {"lip_upper_outer", "lip_lower_outer", "lip_upper_inner", "lip_lower_inner"}) {
     const tests::Line line = places_of(head, *named(found, name));
     EXPECT_LT(line.front().x, line.back().x) << name;
   }
