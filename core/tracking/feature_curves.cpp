@@ -63,23 +63,4 @@ base::Result<FeatureCurves> feature_curves_of(const document::Model& model, cons
   return out;
 }
 
-std::vector<std::size_t> free_of_drawing(const document::Model& model, const intent::WholeModel& whole,
-                                         const std::vector<portrait::FeatureCurve>& curves) {
-  std::vector<std::uint32_t> vertices;
-  for (const portrait::FeatureCurve& curve : curves) {
-    for (const posing::CurvePoint& point : curve.points)
-      vertices.insert(vertices.end(), point.vertex.begin(), point.vertex.end());
-  }
-  const auto bound = model.rig->bind(vertices);
-  std::vector<std::size_t> shapes, all;
-  bool moves = false;
-  for (std::size_t i = 0; i < model.rig->parameters().size(); ++i) {
-    all.push_back(i);
-    if (whole.joint[i] != intent::k_no_partner) continue;
-    shapes.push_back(i);
-    moves = moves || bound->moves(i);
-  }
-  return moves ? shapes : all;
-}
-
 }  // namespace penpose::tracking

@@ -25,9 +25,4 @@ struct FeatureCurves {
                                                             const intent::WholeModel& whole,
                                                             const std::vector<io::VertexCurve>& named);
 
-/// The parameters that a drawing of a face moves: all but those of joints; where nothing else moves these curves, all.
-/// Ascending.
-[[nodiscard]] std::vector<std::size_t> free_of_drawing(const document::Model& model, const intent::WholeModel& whole,
-                                                       const std::vector<portrait::FeatureCurve>& curves);
-
 }  // namespace penpose::tracking

@@ -18,6 +18,7 @@
 #include "core/portrait/pose_from_drawing.h"
 #include "core/portrait/proportions.h"
 #include "core/portrait/sheet_warp.h"
+#include "core/tracking/drawing_start.h"
 #include "core/tracking/feature_curves.h"
 #include "tests/support/random.h"
 #include "ui/files/load_model.h"
@@ -62,7 +63,7 @@ class Artist {
         curves_(std::move(curves)),
         rest_(rig::rest_pose(*model.rig)),
         camera_(portrait::camera_of_drawing(*model.rig, curves_, rest_, 0)) {
-    free_ = tracking::free_of_drawing(model, whole, curves_);
+    free_ = tracking::drawing_start(document::make_document(model), whole, curves_).free;
   }
 
   [[nodiscard]] base::Result<portrait::FaceView> view() const {

@@ -109,6 +109,8 @@ void Interface::rest_pointer(double passed_s) {
 }
 
 int Interface::next_frame_ms() const {
+  // A press and its release are told in two frames.
+  if (!told_.empty()) return 1;
   if (!tip_waits_) return -1;
   return std::max(1, static_cast<int>(std::ceil(1000 * (k_tip_s - rested_s_))));
 }
