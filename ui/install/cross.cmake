@@ -28,6 +28,7 @@ set(run_root ${root})
 if(triplet MATCHES "^riscv64|-musl$")
   # The libraries are archives; the C library is the compiler's own.
   set(libraries ${root}/usr/lib)
+  set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${root}/usr/include)
   set(run_root /usr/${triplet})
 endif()
 if(emulator)

@@ -56,8 +56,8 @@ cp -r /usr/share/cmake/glm /usr/share/cmake/CLI11 /usr/share/cmake/nlohmann_json
 if [ -n "$tests" ]; then
   ln -sfn /usr/src/googletest "$folder/sources/googletest-0"
   build googletest -DBUILD_GMOCK=OFF
-  # Debian has an archive of stb; here it becomes a part of the one file that asks for it.
-  build tinygltf -DTINYGLTF_BUILD_LOADER_EXAMPLE=OFF -DBUILD_TESTING=OFF -Dstb_LIBRARY=nlohmann_json::nlohmann_json \
+  # Debian has an archive of stb; here stb becomes a part of the one file that asks for it, and any archive does in its place.
+  build tinygltf -DTINYGLTF_BUILD_LOADER_EXAMPLE=OFF -DBUILD_TESTING=OFF -Dstb_LIBRARY="$folder/usr/lib/libz.a" \
     -DCMAKE_CXX_FLAGS="-DSTB_IMAGE_IMPLEMENTATION -DSTB_IMAGE_WRITE_IMPLEMENTATION"
 fi
 touch "$folder/complete"
