@@ -2,6 +2,7 @@
 # static.sh FOLDER: builds the static program (ui/install/make_static.sh) and runs it as root in a root that holds nothing else and cannot be
 # written to: no /dev, /proc, /sys, /etc, no locale. Says how large it is and how much memory it takes. Minutes long.
 set -euo pipefail
+[ "$(id -u)" = 0 ] || { echo "left out: only root can make a root of its own"; exit 77; }
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 "$source/ui/install/make_static.sh" "$folder" -DPENPOSE_UNITY=ON

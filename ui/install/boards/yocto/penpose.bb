@@ -10,7 +10,7 @@ DEPENDS = "cli11 draco glm jpeg libpng libwebp meshoptimizer pugixml tinygltf xx
 PACKAGECONFIG ??= "devices"
 PACKAGECONFIG[devices] = "-DPENPOSE_DEVICES=ON,-DPENPOSE_DEVICES=OFF,libevdev"
 PACKAGECONFIG[libusb] = "-DPENPOSE_LIBUSB=ON,-DPENPOSE_LIBUSB=OFF,hidapi libusb1"
-PACKAGECONFIG[window] = "-DPENPOSE_WINDOW=ON,-DPENPOSE_WINDOW=OFF,fontconfig imgui libsdl2"
+PACKAGECONFIG[window] = "-DPENPOSE_WINDOW=ON,-DPENPOSE_WINDOW=OFF,fontconfig imgui libdrm libsdl2"
 PACKAGECONFIG[gl] = "-DPENPOSE_GL=ON,-DPENPOSE_GL=OFF,libepoxy libsdl2"
 
 # Man pages and completions are written by a program of the board, which the building machine cannot run.

@@ -22,7 +22,7 @@ PENPOSE_CONF_OPTS = \
 PENPOSE_DEPENDENCIES += \
 	$(if $(BR2_PACKAGE_PENPOSE_DEVICES),libevdev) \
 	$(if $(BR2_PACKAGE_PENPOSE_LIBUSB),hidapi libusb) \
-	$(if $(BR2_PACKAGE_PENPOSE_WINDOW),fontconfig sdl2) \
+	$(if $(BR2_PACKAGE_PENPOSE_WINDOW),fontconfig libdrm sdl2) \
 	$(if $(BR2_PACKAGE_PENPOSE_GL),libepoxy)
 
 define PENPOSE_INSTALL_INIT_SYSTEMD
