@@ -156,8 +156,9 @@ base::Result<DrawnFace> Character::draw_face(const portrait::Drawing& drawing, c
   auto features = tracking::feature_curves_of(*document_.model, whole, {});
   if (!features) return features.error();
   const auto start = tracking::drawing_start(document_, whole, features->curves);
-  const auto camera = view ? geometry::Camera::make(view->camera, view->viewport)
-                           : portrait::camera_of_drawing(rig, features->curves, start.pose, 0);
+  const auto camera =
+      view ? geometry::Camera::make(view->camera, view->viewport)
+           : portrait::camera_of_drawing(rig, features->curves, start.pose, document_.model->front_yaw_degrees);
   if (!camera) return camera.error();
   auto posed = portrait::pose_from_drawing(rig, whole, features->curves, drawing, *camera, start.pose, start.free);
   if (!posed) return posed.error();

@@ -32,7 +32,7 @@ struct DrawArguments {
   std::string drawing;
   std::string neutral;
   std::string curves;
-  double yaw_degrees = 0;
+  std::optional<double> yaw_degrees;
   std::string out;
   bool json = false;
 };
@@ -145,7 +145,8 @@ int draw(const DrawArguments& arguments) {
     drawing.neutral = points_of(*neutral);
   }
   const auto start = tracking::drawing_start(*document, whole, features->curves);
-  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose, arguments.yaw_degrees);
+  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose,
+                                                  arguments.yaw_degrees.value_or(model.front_yaw_degrees));
   const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start.pose, start.free);
   if (!posed) return files::report(posed.error(), arguments.drawing);
   if (arguments.json) {
@@ -171,9 +172,10 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
   command.add_option(
       "--curves", arguments.curves,
       "JSON file of the model's feature curves; without it the model's own, or those found by the shape of the face");
-  command.add_option("--yaw", arguments.yaw_degrees, "degrees that the drawing sees the face from beside, about +Y")
-      ->check(CLI::Validator(number_range(-360, 360), "-360 to 360"))
-      ->capture_default_str();
+  command
+      .add_option("--yaw", arguments.yaw_degrees,
+                  "degrees about +Y from which the drawing sees the face; without it from its front")
+      ->check(CLI::Validator(number_range(-360, 360), "-360 to 360"));
   command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
   command.add_flag("--json", arguments.json, "print one JSON object");
 }
