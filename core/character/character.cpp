@@ -12,6 +12,8 @@
 #include "core/head/head.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
+#include "core/portrait/pose_from_drawing.h"
+#include "core/tracking/drawing_start.h"
 
 namespace penpose::character {
 namespace {
@@ -147,6 +149,21 @@ base::Status Character::place_target(CurveId curve, std::span<const ModelPoint> 
 }
 
 base::Status Character::solve(Preset preset) { return perform(document::SolvePose{preset}); }
+
+base::Result<DrawnFace> Character::draw_face(const portrait::Drawing& drawing, const std::optional<View>& view) {
+  const intent::WholeModel& whole = whole_model();
+  const rig::Rig& rig = *document_.model->rig;
+  auto features = tracking::feature_curves_of(*document_.model, whole, {});
+  if (!features) return features.error();
+  const auto start = tracking::drawing_start(document_, whole);
+  const auto camera = view ? geometry::Camera::make(view->camera, view->viewport)
+                           : portrait::camera_of_drawing(rig, features->curves, start.pose, 0);
+  if (!camera) return camera.error();
+  auto posed = portrait::pose_from_drawing(rig, whole, features->curves, drawing, *camera, start.pose, start.free);
+  if (!posed) return posed.error();
+  if (auto done = set_pose(posed->pose); !done) return done.error();
+  return DrawnFace{std::move(*features), std::move(posed->read)};
+}
 
 base::Status Character::sketch(const articulation::Sketch& sketch) {
   using articulation::CurveRole;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 #include "core/document/document_hash.h"
 #include "core/intent/model/whole_model.h"
 #include "core/io/model/write_model.h"
+#include "core/portrait/read_drawing.h"
+#include "core/tracking/feature_curves.h"
 
 namespace penpose::character {
 
@@ -35,6 +38,12 @@ struct Pieces {
   std::vector<rig::Joint> joints;              ///< may be empty; then no influences either
   std::vector<std::uint32_t> first_influence;  ///< rig::Skeleton::make
   std::vector<rig::Influence> influences;
+};
+
+/// What a drawing of a whole face was taken for.
+struct DrawnFace {
+  tracking::FeatureCurves features;  ///< of the face, whether drawn or not
+  portrait::DrawingRead read;        ///< its lines say which of features.curves they are
 };
 
 /// A character that a program poses: a document, with all that solving it keeps in memory. What it is asked for becomes
@@ -81,6 +90,12 @@ class Character {
   base::Status place_target(CurveId curve, std::span<const ModelPoint> points);
   /// Solves for all curves, from the pose as it is.
   base::Status solve(Preset preset = Preset::meant);
+  /// Poses the face as a drawing of it shows, whose lines have no labels and lie anywhere on their sheet: controls
+  /// start at rest, joints and what is locked where they are. `view`: from where the drawing sees the face, whose
+  /// picture may be of any size; none: from far in front. Errors: those of tracking::feature_curves_of, Camera::make
+  /// and portrait::pose_from_drawing.
+  [[nodiscard]] base::Result<DrawnFace> draw_face(const portrait::Drawing& drawing,
+                                                  const std::optional<View>& view = {});
   /// Sketches a deformer: a new parameter, drawn in four strokes. `paper` of the sketch is not read.
   base::Status sketch(const articulation::Sketch& sketch);
 

@@ -181,6 +181,32 @@ class Calls(unittest.TestCase):
             with self.assertRaises(ValueError):
                 penpose.animate(character, take, **wrong)
 
+    def test_a_drawing_of_the_face_poses_it(self):
+        head = penpose.Character.built_in('builtin:demo')
+        view = head.view()
+        names = [name + side for name in ('eyelid_upper', 'eyelid_lower', 'brow') for side in ('_L', '_R')]
+        names += ['lip_upper', 'lip_lower', 'lip_upper_inner', 'lip_lower_inner', 'jaw', 'nose_bridge']
+
+        def lines():
+            return [view.project(head.positions(head.curve(name))) for name in names]
+        rest = lines()
+        for name, value in (('jaw', 0.5), ('mouth_corner_L', 0.8), ('mouth_corner_R', 0.8)):
+            head.set(name, value)
+        laugh, meant = lines(), head.pose
+        head.reset()
+        drawn = head.draw_face(laugh, view)
+        self.assertGreaterEqual(sum(line.curve == name for line, name in zip(drawn.lines, names)), len(names) - 1)
+        self.assertTrue(all(0 <= line.start < line.end <= 1 for line in drawn.lines if line.curve))
+        self.assertEqual(drawn.neutral, [])
+        self.assertLess(np.abs(head.pose - meant).max(), 0.5)
+        self.assertEqual(len(head.draw_face(laugh, neutral=rest).neutral), len(names))
+        state = head.state
+        self.assertEqual(status(head.draw_face, []), penpose.Status.REFUSED)
+        self.assertEqual(status(head.draw_face, [[[1, 1], [np.nan, 2]]]), penpose.Status.REFUSED)
+        with self.assertRaises(ValueError):
+            head.draw_face([[1, 2, 3]])
+        self.assertEqual(head.state, state)
+
     def test_characters_of_several_threads(self):
         """Each thread with one of its own, and all with one that is shared, come to what one thread comes to."""
         shared, failed = sheet(), []

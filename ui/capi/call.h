@@ -22,6 +22,9 @@ namespace penpose::capi {
 /// Writes the outcome; a line that is too long is cut between two characters. Never throws.
 std::int32_t tell(penpose_error* error, penpose_status status, std::string_view line) noexcept;
 
+/// Writes as much of a text as fits before a 0, cut between two characters.
+void copy_text(std::string_view text, std::span<char> out) noexcept;
+
 /// What ends a call early.
 struct Failure {
   penpose_status status;

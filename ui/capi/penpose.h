@@ -287,6 +287,29 @@ PENPOSE_API int32_t penpose_live_begin(penpose_library* library, penpose_handle 
 PENPOSE_API int32_t penpose_live_follow(penpose_library* library, penpose_handle live, const double* px, size_t count,
                                         double* values, size_t value_count, int32_t* moved, penpose_error* error);
 
+/* ---- Drawings of a whole face ---- */
+
+typedef struct penpose_line {
+  const double* px; /* 2 numbers each, two different ones at least */
+  size_t count;
+} penpose_line;
+
+/* What a line was taken for: a part of a feature curve of the face. */
+typedef struct penpose_line_read {
+  char curve[64]; /* its name, cut at a character where it is longer; empty: nothing known */
+  double from;    /* shares of the curve's length */
+  double to;
+  int32_t reversed; /* 1: drawn from `to` to `from` */
+} penpose_line_read;
+
+/* Poses the face as a drawing of it shows: at most 60 lines, in any order, anywhere on a sheet and in any size.
+ * Controls start at rest, joints and what is locked where they are. `neutral`: the same hand's drawing of the face at
+ * rest, which takes its proportions out; NULL with 0: none. `view`: from where both see the face; NULL: from the front.
+ * `read` (may be NULL) takes an entry a line, then one a neutral line. */
+PENPOSE_API int32_t penpose_draw_face(penpose_library* library, penpose_handle character, const penpose_view* view,
+                                      const penpose_line* lines, size_t count, const penpose_line* neutral,
+                                      size_t neutral_count, penpose_line_read* read, penpose_error* error);
+
 /* ---- Sketched deformers ---- */
 
 enum { PENPOSE_MODE_AUTO = 0, PENPOSE_MODE_TRANSLATE = 1, PENPOSE_MODE_ROTATE = 2 };

@@ -29,6 +29,7 @@
 namespace penpose {
 
 using character::Character;   // what is posed
+using character::DrawnFace;   // what a drawing of the face was taken for
 using character::CurveId;     // a curve of it, from 1
 using character::LiveTarget;  // the pose that follows a target while it is drawn
 using character::Pieces;      // a character from arrays
@@ -38,6 +39,7 @@ using Point = geometry::ModelPoint;
 using Px = geometry::PxPoint;
 using articulation::Sketch;  // a deformer in four strokes
 using mesh::MeshPoint;       // a point of the surface
+using portrait::Drawing;     // lines of a whole face
 
 // `animate(head.document(), track, map)` makes keyframes from what a face tracker saw, with a track of
 // `io::read_track(bytes, nullptr, {})` and its map of `io::read_bundled_map(*track->format)` or

@@ -9,6 +9,8 @@
 #include "core/document/commands/command_text.h"
 #include "core/tracking/animate.h"
 #include "ui/serve/animation_json.h"
+#include "ui/serve/drawing_json.h"
+#include "ui/serve/internal/pose_json.h"
 #include "ui/serve/internal/request.h"
 
 namespace penpose::serve {
@@ -36,30 +38,6 @@ std::vector<mesh::MeshPoint> mesh_points(const Request& request) {
     points.push_back({static_cast<std::uint32_t>(numbers[i]), {numbers[i + 1], numbers[i + 2], numbers[i + 3]}});
   }
   return points;
-}
-
-/// The parameters that are not at rest.
-Json pose_json(const character::Character& one) {
-  Json out = Json::object();
-  const auto parameters = one.parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (one.pose()[i] != parameters[i].rest) out[parameters[i].name] = one.pose()[i];
-  }
-  return out;
-}
-
-/// How far what has a target or a place is from it: the mean and the most of each curve.
-Json distances_json(const character::Character& one) {
-  Json out = Json::object();
-  for (const auto& curve : one.document().curves) {
-    const auto distances = one.distances_of(curve->id);
-    if (!distances || distances->empty()) continue;
-    double sum = 0;
-    for (const double distance : *distances) sum += distance;
-    out[std::to_string(curve->id.value)] = {{"mean", sum / static_cast<double>(distances->size())},
-                                            {"most", *std::max_element(distances->begin(), distances->end())}};
-  }
-  return out;
 }
 
 std::vector<document::NamedValue> named_values(const Request& request) {
@@ -176,6 +154,22 @@ struct Conversation::Actions {
   }
 
   Json solved() { return {{"parameters", pose_json(one())}, {"distances", distances_json(one())}}; }
+
+  Json draw() {
+    request.allow({"do", "id", "lines", "neutral", "view"});
+    portrait::Drawing drawing{request.lines("lines"), {}};
+    if (request.has("neutral")) drawing.neutral = request.lines("neutral");
+    const auto view = request.has("view") ? std::optional(request.view("view")) : std::nullopt;
+    const auto drawn = taken(one().draw_face(drawing, view));
+    const auto rows = [&](const std::vector<portrait::LineRead>& lines) {
+      Json out = Json::array();
+      for (const portrait::LineRead& line : lines) out.push_back(line_json(line, drawn.features.curves));
+      return out;
+    };
+    Json answer = {{"parameters", pose_json(one())}, {"lines", rows(drawn.read.lines)}};
+    if (request.has("neutral")) answer["neutral_lines"] = rows(drawn.read.neutral);
+    return answer;
+  }
 
   Json sketch() {
     request.allow({"do", "id", "name", "view", "target_view", "general", "specific", "reference", "target", "mode",
@@ -322,10 +316,11 @@ struct Conversation::Actions {
 
   Json run() {
     using Action = Json (Actions::*)();
-    constexpr std::array<std::pair<std::string_view, Action>, 12> k_actions{{{"load", &Actions::load},
+    constexpr std::array<std::pair<std::string_view, Action>, 13> k_actions{{{"load", &Actions::load},
                                                                              {"curve", &Actions::curve},
                                                                              {"target", &Actions::target},
                                                                              {"solve", &Actions::solve},
+                                                                             {"draw", &Actions::draw},
                                                                              {"sketch", &Actions::sketch},
                                                                              {"animate", &Actions::animate},
                                                                              {"set", &Actions::set},

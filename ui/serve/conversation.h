@@ -27,8 +27,8 @@ struct Files {
       track = {};
 };
 
-/// A conversation of JSON lines about one character: load, curve, target, solve, sketch, evaluate, save and what else
-/// docs/library.md lists. Each line is a command of the document, as in the window and the C library, so that the
+/// A conversation of JSON lines about one character: load, curve, target, solve, draw, sketch, evaluate, save and what
+/// else docs/library.md lists. Each line is a command of the document, as in the window and the C library, so that the
 /// session that is recorded of them replays to the same bits.
 class Conversation {
  public:

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "replay/session/session_player.h"
+#include "tests/support/models/laughing_head.h"
 #include "tests/support/models/sheet_model.h"
 
 namespace penpose::tests {
@@ -40,6 +41,7 @@ class Talk {
   serve::Files files(bool recorded) {
     serve::Files files;
     files.load = [](const std::string& path) -> base::Result<document::Document> {
+      if (path == "head") return demo_character().document();
       if (path == "sheet") return document::make_document(sheet_model());
       return base::Error{"there is no file \"" + path + "\"", "", ""};
     };
@@ -235,6 +237,40 @@ TEST(Serve, ATrackBecomesAnAnimation) {
     EXPECT_FALSE(talk.says(line)["ok"].get<bool>()) << line;
     EXPECT_EQ(talk.state(), after) << line;
   }
+}
+
+TEST(Serve, ADrawingOfTheFacePosesIt) {
+  Talk talk;
+  talk.does(R"({"do":"load","model":"head"})");
+  const LaughingHead laugh;
+  Json lines = Json::array();
+  for (const auto& line : laugh.lines) {
+    Json points = Json::array();
+    for (const auto& p : line) points.push_back({p.x, p.y});
+    lines.push_back(std::move(points));
+  }
+  const Json view = talk.does(R"({"do":"view"})")["view"];
+  const Json drawn = talk.does(Json{{"do", "draw"}, {"lines", lines}, {"view", view}}.dump());
+  std::vector<std::string> names;
+  for (const Json& line : drawn["lines"]) names.push_back(line["curve"].is_null() ? "" : line["curve"]);
+  EXPECT_GE(laugh.right(names), laugh.names.size() - 1);
+  EXPECT_NEAR(drawn["parameters"]["jaw"].get<double>(), LaughingHead::k_jaw, 0.2);
+  EXPECT_LT(drawn["lines"][0]["from"].get<double>(), drawn["lines"][0]["to"].get<double>());
+  EXPECT_TRUE(drawn["lines"][0]["reversed"].is_boolean());
+  EXPECT_NE(talk.session.find("set_parameters"), std::string::npos);
+  const Json rested = talk.does(Json{{"do", "draw"}, {"lines", lines}, {"neutral", lines}}.dump());
+  EXPECT_EQ(rested["neutral_lines"].size(), lines.size());
+  const std::string before = talk.state();
+  for (const char* line :
+       {R"({"do":"draw"})", R"({"do":"draw","lines":[]})", R"({"do":"draw","lines":7})", R"({"do":"draw","lines":[7]})",
+        R"({"do":"draw","lines":[[[1,1]]]})", R"({"do":"draw","lines":[[[1,1],[2]]]})",
+        R"({"do":"draw","lines":[[[1,1],[2,2]]],"neutral":[[]]})",
+        R"({"do":"draw","lines":[[[1,1],[2,2]]],"yaw":3})"}) {
+    EXPECT_FALSE(talk.says(line)["ok"].get<bool>()) << line;
+    EXPECT_EQ(talk.state(), before) << line;
+  }
+  EXPECT_NE(talk.says(R"({"do":"draw","lines":[[[1,1],[2]]]})")["error"].get<std::string>().find("/lines/0/1"),
+            std::string::npos);
 }
 
 TEST(Serve, WhatCannotBeRecordedIsNotDone) {

@@ -11,6 +11,7 @@
 #include "core/document/document_hash.h"
 #include "core/io/project/landmark_file.h"
 #include "core/portrait/pose_from_drawing.h"
+#include "core/tracking/drawing_start.h"
 #include "core/tracking/feature_curves.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/subcommand.h"
@@ -19,6 +20,7 @@
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
 #include "ui/render/picture/picture_lines.h"
+#include "ui/serve/drawing_json.h"
 
 namespace penpose::cli {
 namespace {
@@ -63,13 +65,8 @@ Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineR
                 const std::vector<portrait::FeatureCurve>& curves) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < read.size(); ++i) {
-    const portrait::LineRead& line = read[i];
-    Json row = {{"index", drawn.lines[i].element}, {"curve", line.curve ? Json(curves[*line.curve].name) : Json()}};
-    if (line.curve) {
-      row["from"] = line.from;
-      row["to"] = line.to;
-      row["reversed"] = line.reversed;
-    }
+    Json row = {{"index", drawn.lines[i].element}};
+    row.update(serve::line_json(read[i], curves));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -120,14 +117,6 @@ void print_json(const DrawArguments& arguments, const io::PictureLines& drawn,
   std::cout << out.dump_as_made() << '\n';
 }
 
-/// Parameters that a drawing of a face may move: all but those of joints that are locked or carry the face, which
-/// FaceView leaves out.
-std::vector<std::size_t> all_of(const rig::Rig& rig) {
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < rig.parameters().size(); ++i) free.push_back(i);
-  return free;
-}
-
 int draw(const DrawArguments& arguments) {
   files::FileRoles roles;
   roles.reads(arguments.model);
@@ -155,14 +144,9 @@ int draw(const DrawArguments& arguments) {
     neutral = std::move(*read);
     drawing.neutral = points_of(*neutral);
   }
-  // A drawing shows the face from rest, whatever pose the file is in.
-  rig::Pose start = document->pose;
-  const rig::Pose rest = rig::rest_pose(*model.rig);
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    if (whole.joint[i] == intent::k_no_partner) start[i] = rest[i];
-  }
-  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start, arguments.yaw_degrees);
-  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start, all_of(*model.rig));
+  const auto start = tracking::drawing_start(*document, whole);
+  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose, arguments.yaw_degrees);
+  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start.pose, start.free);
   if (!posed) return files::report(posed.error(), arguments.drawing);
   if (arguments.json) {
     print_json(arguments, *drawn, neutral, *posed, *document, *features);

@@ -13,10 +13,10 @@ wait for each other, and different characters do not. docs/library.md says more.
 """
 from ._c import ABI_VERSION, Error, Status, version
 from .animation import Animation, animate
-from .character import Character, Joint, Live, Parameter, Preset, Role, Shape, View
+from .character import Character, DrawnFace, Joint, LineRead, Live, Parameter, Preset, Role, Shape, View
 from .session import Playback, play
 from .tablet import Axis, Sample, Tablet
 
-__all__ = ['ABI_VERSION', 'Animation', 'Axis', 'Character', 'Error', 'Joint', 'Live', 'Parameter', 'Playback', 'Preset', 'Role', 'Sample', 'Shape',
-           'Status', 'Tablet', 'View', 'animate', 'play', 'version']
+__all__ = ['ABI_VERSION', 'Animation', 'Axis', 'Character', 'DrawnFace', 'Error', 'Joint', 'LineRead', 'Live', 'Parameter', 'Playback', 'Preset',
+           'Role', 'Sample', 'Shape', 'Status', 'Tablet', 'View', 'animate', 'play', 'version']
 __version__ = version()

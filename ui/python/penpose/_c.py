@@ -70,6 +70,14 @@ class CSketch(ctypes.Structure):
                 ('target', c_void_p), ('target_count', c_size_t), ('mode', c_int32), ('minimum', c_double), ('maximum', c_double)]
 
 
+class CLine(ctypes.Structure):
+    _fields_ = [('px', c_void_p), ('count', c_size_t)]
+
+
+class CLineRead(ctypes.Structure):
+    _fields_ = [('curve', c_char * 64), ('start', c_double), ('end', c_double), ('reversed', c_int32)]
+
+
 class CPlayback(ctypes.Structure):
     _fields_ = [('reports', c_uint64), ('strokes', c_uint64), ('steps', c_uint64), ('refused', c_uint64), ('checked', c_uint64),
                 ('differing', c_uint64), ('line', c_uint64), ('state', c_char * 33)]
@@ -146,6 +154,7 @@ _FUNCTIONS = {
     'penpose_solve': _ON + (c_int32,),
     'penpose_live_begin': _ON + (c_uint32, POINTER(CView), _HANDLES),
     'penpose_live_follow': _ON + (c_void_p, c_size_t, c_void_p, c_size_t, POINTER(c_int32)),
+    'penpose_draw_face': _ON + (POINTER(CView), POINTER(CLine), c_size_t, POINTER(CLine), c_size_t, POINTER(CLineRead)),
     'penpose_sketch_deformer': _ON + (POINTER(CSketch),),
     'penpose_perform': _ON + (c_char_p,),
     'penpose_session_play': (_LIBRARY, c_char_p, c_size_t, _HANDLE, _HANDLES, POINTER(CPlayback)),

@@ -55,6 +55,20 @@ class View:
         return px
 
 
+class LineRead(NamedTuple):
+    """What a line of a drawing was taken for: a part of a feature curve of the face, by shares of its length; None: nothing known."""
+    curve: Optional[str]
+    start: float
+    end: float
+    reversed: bool
+
+
+class DrawnFace(NamedTuple):
+    """What the lines of a drawing, and of the one of the face at rest, were taken for (Character.draw_face)."""
+    lines: List[LineRead]
+    neutral: List[LineRead]
+
+
 @dataclass
 class Shape:
     """A blend shape of Character.from_arrays: (vertices, 3) deltas, or those of the vertices named (ascending)."""
@@ -307,6 +321,17 @@ class Character(_c.Handle):
     def live(self, curve: int, view: View) -> Live:
         """Follows a target while it is drawn; changes nothing here."""
         return Live(made(C.penpose_live_begin, *self._on, curve, byref(view._c()), None), self._counts().parameters)
+
+    def draw_face(self, lines: Sequence[ArrayLike], view: Optional[View] = None, neutral: Sequence[ArrayLike] = ()) -> DrawnFace:
+        """Poses the face as a drawing of it shows: lines of px (n, 2) without labels, anywhere on a sheet. `view`: from where it is seen
+        (default: the front). `neutral`: the same hand's drawing of the face at rest, which takes its proportions out."""
+        px = [numbers(line, 2) for line in (*lines, *neutral)]
+        c_lines = [(_c.CLine * max(1, len(part)))(*((pointer(line), len(line)) for line in part))
+                   for part in (px[:len(lines)], px[len(lines):])]
+        read = (_c.CLineRead * max(1, len(px)))()
+        self._call(C.penpose_draw_face, None if view is None else byref(view._c()), c_lines[0], len(lines), c_lines[1], len(neutral), read)
+        taken = [LineRead(one.curve.decode('utf-8', 'replace') or None, one.start, one.end, bool(one.reversed)) for one in read[:len(px)]]
+        return DrawnFace(taken[:len(lines)], taken[len(lines):])
 
     def view(self, yaw_degrees: float = 0, pitch_degrees: float = 0, width: int = 1000, height: int = 1000) -> View:
         """A view of the whole character at rest."""

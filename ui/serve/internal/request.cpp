@@ -25,6 +25,25 @@ const Json& list_at(const Json& value, const std::string& place) {
   return value;
 }
 
+std::vector<double> rows_at(const Json& value, const std::string& place, std::size_t width) {
+  std::vector<double> out;
+  const Json& list = list_at(value, place);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string where = json::child(place, i);
+    if (!list[i].is_array() || list[i].size() != width)
+      refuse("a list of " + std::to_string(width) + " numbers was expected", where, "give one");
+    for (const Json& number : list[i]) out.push_back(number_at(number, where));
+  }
+  return out;
+}
+
+std::vector<geometry::PxPoint> line_at(const Json& value, const std::string& place) {
+  const auto numbers = rows_at(value, place, 2);
+  std::vector<geometry::PxPoint> out;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) out.push_back({numbers[i], numbers[i + 1]});
+  return out;
+}
+
 geometry::ModelPoint point_at(const Request& request, const char* name) {
   const auto numbers = request.numbers(name);
   if (numbers.size() != 3) refuse("three numbers were expected", request.at(name), "give [x, y, z]");
@@ -86,15 +105,7 @@ std::vector<double> Request::numbers(const char* name) const {
 }
 
 std::vector<double> Request::rows(const char* name, std::size_t width) const {
-  std::vector<double> out;
-  const Json& list = list_at(need(name), at(name));
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string where = json::child(at(name), i);
-    if (!list[i].is_array() || list[i].size() != width)
-      refuse("a list of " + std::to_string(width) + " numbers was expected", where, "give one");
-    for (const Json& value : list[i]) out.push_back(number_at(value, where));
-  }
-  return out;
+  return rows_at(need(name), at(name), width);
 }
 
 std::vector<std::uint32_t> Request::wholes(const char* name) const {
@@ -104,10 +115,12 @@ std::vector<std::uint32_t> Request::wholes(const char* name) const {
   return out;
 }
 
-std::vector<geometry::PxPoint> Request::line(const char* name) const {
-  const auto numbers = rows(name, 2);
-  std::vector<geometry::PxPoint> out;
-  for (std::size_t i = 0; i < numbers.size(); i += 2) out.push_back({numbers[i], numbers[i + 1]});
+std::vector<geometry::PxPoint> Request::line(const char* name) const { return line_at(need(name), at(name)); }
+
+std::vector<std::vector<geometry::PxPoint>> Request::lines(const char* name) const {
+  std::vector<std::vector<geometry::PxPoint>> out;
+  const Json& list = list_at(need(name), at(name));
+  for (std::size_t i = 0; i < list.size(); ++i) out.push_back(line_at(list[i], json::child(at(name), i)));
   return out;
 }
 

@@ -49,6 +49,7 @@ struct Request {
   [[nodiscard]] std::vector<double> rows(const char* name, std::size_t width) const;
   [[nodiscard]] std::vector<std::uint32_t> wholes(const char* name) const;
   [[nodiscard]] std::vector<geometry::PxPoint> line(const char* name) const;
+  [[nodiscard]] std::vector<std::vector<geometry::PxPoint>> lines(const char* name) const;
   [[nodiscard]] std::vector<geometry::ModelPoint> points(const char* name) const;
   [[nodiscard]] document::View view(const char* name) const;
 };
