@@ -45,7 +45,7 @@ TEST(CDrawings, EachLineIsTakenForACurveAndTheFaceIsPosed) {
   ASSERT_EQ(penpose_find_parameter(face.desk.open, face.head, "jaw", &jaw, nullptr), PENPOSE_OK);
   EXPECT_NEAR(face.desk.pose(face.head)[jaw], LaughingHead::k_jaw, 0.2);
   // The same drawing as the one at rest: nothing is left to move.
-  ASSERT_EQ(penpose_draw_face(face.desk.open, face.head, nullptr, lines.data(), lines.size(), lines.data(),
+  ASSERT_EQ(penpose_draw_face(face.desk.open, face.head, &face.view, lines.data(), lines.size(), lines.data(),
                               lines.size(), read.data(), &face.desk.error),
             PENPOSE_OK)
       << face.desk.error.message;

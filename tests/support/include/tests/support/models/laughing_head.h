@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ struct LaughingHead {
   explicit LaughingHead(double yaw_degrees = 0) {
     character::Character head = demo_character();
     view = head.view_from(yaw_degrees);
-    head.perform(document::SetParameters{k_values}).value();
+    EXPECT_TRUE(head.perform(document::SetParameters{k_values}));
     const auto camera = geometry::Camera::make(view.camera, view.viewport).value();
     for (const document::NamedCurve& curve : head.document().model->curves) {
       if (curve.points.size() < 2) continue;
