@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/portrait/reading/assignment.h"
 #include "core/portrait/face_view.h"
 #include "core/portrait/placement.h"
+#include "core/portrait/reading/assignment.h"
 
 // One drawing of a whole face: lines without labels, in any order, not quite in place.
 

@@ -97,10 +97,6 @@ class Chains {
   std::vector<std::vector<Edge>> chains_;
 };
 
-ModelPoint place_of(const posing::CurvePoint& point, std::span<const ModelPoint> positions) {
-  return positions[point.vertex[0]] * point.weight[0] + positions[point.vertex[1]] * point.weight[1];
-}
-
 bool is_seen(const geometry::Camera& camera, const geometry::TriangleBvh& tree, const ModelPoint& place,
              double before) {
   if (!camera.project(place)) return false;
@@ -108,6 +104,12 @@ bool is_seen(const geometry::Camera& camera, const geometry::TriangleBvh& tree, 
   const double distance = geometry::length(way);
   const auto hit = tree.nearest_hit({camera.eye(), geometry::normalized(way)});
   return !hit || hit->distance > distance - before;
+}
+
+double before_of(std::span<const ModelPoint> positions) {
+  geometry::Box box;
+  for (const ModelPoint& p : positions) box.add(p);
+  return k_before * box.diagonal();
 }
 
 double length_px(const geometry::Camera& camera, const SurfaceLine& line, std::span<const ModelPoint> positions) {
@@ -122,17 +124,36 @@ double length_px(const geometry::Camera& camera, const SurfaceLine& line, std::s
 
 }  // namespace
 
+ModelPoint place_of(const posing::CurvePoint& point, std::span<const ModelPoint> positions) {
+  ModelPoint place(0);
+  for (std::size_t k = 0; k < point.vertex.size(); ++k) place += positions[point.vertex[k]] * point.weight[k];
+  return place;
+}
+
+std::vector<SurfaceLine> seen_parts(const geometry::Camera& camera, const SurfaceLine& line,
+                                    std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
+  const double before = before_of(positions);
+  std::vector<SurfaceLine> parts;
+  SurfaceLine part;
+  const auto keep = [&] {
+    if (part.size() >= 2) parts.push_back(std::move(part));
+    part.clear();
+  };
+  for (const posing::CurvePoint& point : line) {
+    if (is_seen(camera, tree, place_of(point, positions), before)) {
+      part.push_back(point);
+    } else {
+      keep();
+    }
+  }
+  keep();
+  return parts;
+}
+
 std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
                                     std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
   const std::vector<double> facing = facing_of(camera, mesh, positions);
-  geometry::Box box;
-  for (const ModelPoint& p : positions) box.add(p);
-  const double before = k_before * box.diagonal();
   std::vector<std::pair<double, SurfaceLine>> lines;
-  const auto keep = [&](SurfaceLine& line) {
-    if (line.size() >= 2) lines.emplace_back(length_px(camera, line, positions), std::move(line));
-    line.clear();
-  };
   const Chains chains(segments_of(mesh, facing));
   for (const std::vector<Edge>& chain : chains.all()) {
     SurfaceLine line;
@@ -140,14 +161,10 @@ std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::
       const double a = std::abs(facing[edge.first]);
       const double b = std::abs(facing[edge.second]);
       const double share = a + b > 0.0 ? a / (a + b) : 0.5;
-      const posing::CurvePoint point{{edge.first, edge.second, 0}, {1.0 - share, share, 0.0}};
-      if (is_seen(camera, tree, place_of(point, positions), before)) {
-        line.push_back(point);
-      } else {
-        keep(line);
-      }
+      line.push_back({{edge.first, edge.second, 0}, {1.0 - share, share, 0.0}});
     }
-    keep(line);
+    for (SurfaceLine& part : seen_parts(camera, line, positions, tree))
+      lines.emplace_back(length_px(camera, part, positions), std::move(part));
   }
   std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<SurfaceLine> sorted;
