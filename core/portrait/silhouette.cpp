@@ -107,10 +107,6 @@ class Chains {
   std::vector<std::vector<Edge>> chains_;
 };
 
-ModelPoint place_of(const posing::CurvePoint& point, std::span<const ModelPoint> positions) {
-  return positions[point.vertex[0]] * point.weight[0] + positions[point.vertex[1]] * point.weight[1];
-}
-
 bool is_seen(const geometry::Camera& camera, const geometry::TriangleBvh& tree, const ModelPoint& place,
              double before) {
   if (!camera.project(place)) return false;
@@ -130,15 +126,45 @@ double length_px(const geometry::Camera& camera, const SurfaceLine& line, std::s
   return length;
 }
 
+double size_of(std::span<const ModelPoint> positions) {
+  geometry::Box box;
+  for (const ModelPoint& p : positions) box.add(p);
+  return box.diagonal();
+}
+
 }  // namespace
+
+ModelPoint place_of(const posing::CurvePoint& point, std::span<const ModelPoint> positions) {
+  ModelPoint place(0);
+  for (std::size_t k = 0; k < point.vertex.size(); ++k) place += positions[point.vertex[k]] * point.weight[k];
+  return place;
+}
+
+std::vector<SurfaceLine> seen_parts(const geometry::Camera& camera, const SurfaceLine& line,
+                                    std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
+  const double before = k_before * size_of(positions);
+  std::vector<SurfaceLine> parts;
+  SurfaceLine part;
+  const auto keep = [&] {
+    if (part.size() >= 2) parts.push_back(std::move(part));
+    part.clear();
+  };
+  for (const posing::CurvePoint& point : line) {
+    if (is_seen(camera, tree, place_of(point, positions), before)) {
+      part.push_back(point);
+    } else {
+      keep();
+    }
+  }
+  keep();
+  return parts;
+}
 
 std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
                                     std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
   const std::vector<ModelVector> normals = normals_of(mesh, positions);
   const std::vector<double> facing = facing_of(camera, mesh, positions, normals);
-  geometry::Box box;
-  for (const ModelPoint& p : positions) box.add(p);
-  const double size = box.diagonal();
+  const double size = size_of(positions);
   std::vector<std::pair<double, SurfaceLine>> lines;
   const auto keep = [&](SurfaceLine& line) {
     if (line.size() >= 2) lines.emplace_back(length_px(camera, line, positions), std::move(line));

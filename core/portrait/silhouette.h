@@ -13,6 +13,16 @@ namespace penpose::portrait {
 /// A line of the surface, in order; a closed one ends with the point that it begins with.
 using SurfaceLine = std::vector<posing::CurvePoint>;
 
+/// Where a point of the surface is. `positions`: of all vertices.
+[[nodiscard]] geometry::ModelPoint place_of(const posing::CurvePoint& point,
+                                            std::span<const geometry::ModelPoint> positions);
+
+/// The parts of a line of the surface that are not behind other parts of it, in order, each of at least two points.
+/// `positions`: of all vertices, as posed, in which the camera and the tree see the mesh too.
+[[nodiscard]] std::vector<SurfaceLine> seen_parts(const geometry::Camera& camera, const SurfaceLine& line,
+                                                  std::span<const geometry::ModelPoint> positions,
+                                                  const geometry::TriangleBvh& tree);
+
 /// The contours that a camera sees: where the surface turns away from it, across triangles (Hertzmann and Zorin,
 /// "Illustrating smooth surfaces", 2000: where the vertices' normals are at right angles to the view), chained, without
 /// what lies behind other parts. The longest in the picture first. `positions`: of all vertices, as posed, in which the

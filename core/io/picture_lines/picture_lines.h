@@ -2,11 +2,15 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/space.h"
 
 namespace penpose::io {
+
+/// How the names of lines begin that are contours of a model: "silhouette_0".
+inline constexpr std::string_view k_contour_name = "silhouette_";
 
 /// A line of a drawing, as a pen would draw it: at least two points, one after the other.
 struct PictureLine {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -8,11 +9,15 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
+#include "core/base/text/letters.h"
 #include "core/document/look.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/picture_lines/svg/write_svg_lines.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
+#include "core/tracking/feature_curves.h"
+#include "core/tracking/line_drawing.h"
 #include "ui/cli/draw_option.h"
 #include "ui/cli/model/frame_name.h"
 #include "ui/cli/number_range.h"
@@ -50,6 +55,7 @@ struct Options {
   bool plain = false;
   bool clay = false;
   bool curves = false;
+  bool lines = false;
   std::string cases;
   std::string case_name;
   std::string draw;
@@ -173,6 +179,17 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
   return k_success;
 }
 
+/// Draws the model's features and contours as an SVG and writes it. What has no face has contours alone.
+int draw_lines(const Options& options, const document::Model& model, const geometry::Camera& camera) {
+  const auto features = tracking::feature_curves_of(model, intent::measure_whole_model(*model.rig), {});
+  if (!features) files::warn(features.error().what + "; the silhouette is drawn alone", options.model);
+  const std::string svg = io::write_svg_lines(
+      tracking::line_drawing(model, features ? features->curves : std::vector<portrait::FeatureCurve>{}, camera));
+  if (auto written = files::write_file(options.output, base::as_bytes(svg)); !written)
+    return files::report(written.error(), options.output);
+  return k_success;
+}
+
 /// The animation that is asked for: by its name, or of those without or of one name by its number from 1; else the
 /// first.
 base::Result<std::size_t> chosen_animation(const Options& options, const document::Model& model) {
@@ -221,9 +238,13 @@ int run_render(const Options& options) {
   files::FileRoles files(options.frames ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
+  if (options.lines && options.output != "-" && !base::lower_case(options.output).ends_with(".svg")) {
+    return files::report({"lines are written as SVG", "-o", "name a .svg file"}, options.output);
+  }
   files::keep_little_memory();
-  // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
-  auto renderer = render::make_offscreen_renderer(render::way_of(options.draw));
+  // Asked for first: what OpenGL needs is much, and not every driver says when it is not there. Lines need none.
+  auto renderer = options.lines ? base::Result<std::unique_ptr<render::Renderer>>(nullptr)
+                                : render::make_offscreen_renderer(render::way_of(options.draw));
   if (!renderer) return files::report(renderer.error());
   auto model = files::load_model(options.model, files::NamedBy::user, options.orientation);
   if (!model) return files::report(model.error(), options.model);
@@ -246,6 +267,7 @@ int run_render(const Options& options) {
   if (!first) return files::report(first.error(), options.model);
   const auto camera = make_camera(options, *first);
   if (!camera) return files::report(camera.error(), options.camera);
+  if (options.lines) return draw_lines(options, *first, *camera);
   render::AppearanceOptions look;
   look.recognise = !options.plain;
   const render::Appearance appearance = render::make_appearance(*first, look);
@@ -284,11 +306,12 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--animation", options.animation,
                      "name of the animation of --time and --frames, or its number from 1 (default: the first); at its "
                      "first moment where neither is given");
-  command
-      .add_flag("--frames", options.frames,
-                "one picture a frame of the animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
-                "at the end of OUT says how many digits; the folder is made if it is not there")
-      ->excludes(time);
+  auto* frames =
+      command
+          .add_flag("--frames", options.frames,
+                    "one picture a frame of the animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
+                    "at the end of OUT says how many digits; the folder is made if it is not there")
+          ->excludes(time);
   command.add_option("--fps", options.fps, "frames a second of --frames")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
@@ -303,15 +326,19 @@ void add_options(CLI::App& command, Options& options) {
       ->capture_default_str()
       ->excludes(camera);
   add_draw_option(command, options.draw);
-  command.add_flag("--wireframe", options.wireframe, "draw the edges too");
-  command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
-  command.add_flag("--plain", options.plain, "the file's materials only: do not tell eyes and teeth apart by shape");
-  command.add_flag("--curves", options.curves, "draw the curves that the model carries");
+  auto* wireframe = command.add_flag("--wireframe", options.wireframe, "draw the edges too");
+  auto* clay = command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
+  auto* plain = command.add_flag("--plain", options.plain,
+                                 "the file's materials only: do not tell eyes and teeth apart by shape");
+  auto* curves = command.add_flag("--curves", options.curves, "draw the curves that the model carries");
   auto* cases = command.add_option("--cases", options.cases, "file of posing cases; draws the curves of one");
   auto* case_name = command.add_option("--case", options.case_name, "which case of the file");
   cases->needs(case_name);
   case_name->needs(cases);
-  command.add_option("-o,--output", options.output, "PNG file to write")->required();
+  auto* lines = command.add_flag("--lines", options.lines,
+                                 "draw lines alone, as an SVG: the features of the face by their names, and contours");
+  for (CLI::Option* other : {frames, wireframe, clay, plain, curves, cases}) lines->excludes(other);
+  command.add_option("-o,--output", options.output, "PNG file to write, or SVG with --lines")->required();
 }
 
 }  // namespace
@@ -321,7 +348,7 @@ Subcommand render_subcommand() {
       "render", files::Rights::no_programs, "Draws a picture of a model", add_options, run_render,
       {"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
       {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"},
-      {{"-o", Completes::files, {".png"}}});
+      {{"-o", Completes::files, {".png", ".svg"}}});
 }
 
 }  // namespace penpose::cli

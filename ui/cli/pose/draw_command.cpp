@@ -1,5 +1,4 @@
-#include <algorithm>
-#include <iomanip>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -8,18 +7,19 @@
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
+#include "core/document/commands/apply.h"
 #include "core/document/document_hash.h"
-#include "core/io/project/landmark_file.h"
 #include "core/portrait/pose_from_drawing.h"
 #include "core/tracking/drawing_start.h"
 #include "core/tracking/feature_curves.h"
 #include "ui/cli/number_range.h"
+#include "ui/cli/pose/drawing_files.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
-#include "ui/render/picture/picture_lines.h"
 #include "ui/serve/drawing_json.h"
 
 namespace penpose::cli {
@@ -29,37 +29,22 @@ using json::Json;
 
 struct DrawArguments {
   std::string model;
-  std::string drawing;
+  std::vector<std::string> drawings;
   std::string neutral;
   std::string curves;
   std::optional<double> yaw_degrees;
+  double every_s = 1;
   std::string out;
   bool json = false;
 };
 
-base::Result<std::vector<io::VertexCurve>> named_curves(const std::string& path) {
-  if (path.empty()) return std::vector<io::VertexCurve>{};
-  const auto bytes = files::read_file(path);
-  if (!bytes) return bytes.error();
-  auto named = io::read_landmarks(*bytes);
-  if (named && named->empty()) return base::Error{"it names no curves", "/curves", "name the features of the face"};
-  return named;
-}
-
-base::Result<io::PictureLines> lines_of(const std::string& path) {
-  const auto bytes = files::read_file(path);
-  if (!bytes) return bytes.error();
-  auto read = render::read_picture_lines(*bytes);
-  if (!read) return read.error();
-  if (read->lines.empty()) return base::Error{"it has no lines", "", "draw the features of the face as open lines"};
-  return read;
-}
-
-std::vector<portrait::DrawnLine> points_of(const io::PictureLines& lines) {
-  std::vector<portrait::DrawnLine> out;
-  for (const io::PictureLine& line : lines.lines) out.push_back(line.points);
-  return out;
-}
+/// A drawing and what it asks for.
+struct Sheet {
+  std::string file;
+  io::PictureLines drawn;
+  portrait::DrawnPose posed;
+  std::optional<double> time_s;  ///< of its key; none: it is no key
+};
 
 Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineRead>& read,
                 const std::vector<portrait::FeatureCurve>& curves) {
@@ -72,15 +57,13 @@ Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineR
   return rows;
 }
 
-void print(const io::PictureLines& drawn, const portrait::DrawnPose& posed, const document::Document& document,
-           const tracking::FeatureCurves& features) {
-  const auto& curves = features.curves;
-  if (features.found) std::cout << "feature curves were found by the shape of the face\n";
-  for (const std::string& name : features.unsure)
-    std::cout << "  " << name << " is not sure and not used; --curves names it\n";
+void print(const Sheet& sheet, const document::Document& document, const std::vector<portrait::FeatureCurve>& curves) {
+  if (sheet.time_s)
+    std::cout << base::shown_name(sheet.file) << ": key at " << base::format_double(*sheet.time_s) << " s\n";
+  const portrait::DrawnPose& posed = sheet.posed;
   for (std::size_t i = 0; i < posed.read.lines.size(); ++i) {
     const portrait::LineRead& line = posed.read.lines[i];
-    std::cout << "line " << drawn.lines[i].element << ": "
+    std::cout << "line " << sheet.drawn.lines[i].element << ": "
               << (line.curve ? base::shown_name(curves[*line.curve].name) : std::string("nothing known"));
     if (line.curve && (line.from > 0.0 || line.to < 1.0)) {
       std::cout << ", " << base::format_fixed(100.0 * line.from, 0) << " to " << base::format_fixed(100.0 * line.to, 0)
@@ -99,64 +82,123 @@ void print(const io::PictureLines& drawn, const portrait::DrawnPose& posed, cons
   if (moved == 0) std::cout << "the drawing shows the face at rest\n";
 }
 
-void print_json(const DrawArguments& arguments, const io::PictureLines& drawn,
-                const std::optional<io::PictureLines>& neutral, const portrait::DrawnPose& posed,
-                const document::Document& document, const tracking::FeatureCurves& features) {
-  const auto& curves = features.curves;
+void print(const std::vector<Sheet>& sheets, const document::Document& document,
+           const tracking::FeatureCurves& features) {
+  if (features.found) std::cout << "feature curves were found by the shape of the face\n";
+  for (const std::string& name : features.unsure)
+    std::cout << "  " << name << " is not sure and not used; --curves names it\n";
+  for (const Sheet& sheet : sheets) print(sheet, document, features.curves);
+}
+
+/// Adds what one drawing asks for.
+void add_sheet(Json& row, const Sheet& sheet, const std::optional<io::PictureLines>& neutral, const rig::Rig& rig,
+               const std::vector<portrait::FeatureCurve>& curves) {
+  row["drawing"] = sheet.file;
+  if (sheet.time_s) row["time_s"] = *sheet.time_s;
   Json parameters = Json::object();
-  for (std::size_t i = 0; i < posed.pose.size(); ++i)
-    parameters[document.model->rig->parameters()[i].name] = posed.pose[i];
-  document::Document after = document;
-  after.pose = posed.pose;
-  Json out = {{"model", arguments.model},
-              {"drawing", arguments.drawing},
-              {"parameters", std::move(parameters)},
-              {"lines", lines_json(drawn, posed.read.lines, curves)},
-              {"state", document::DocumentHasher()(after).whole.hex()}};
-  if (neutral) out["neutral_lines"] = lines_json(*neutral, posed.read.neutral, curves);
+  for (std::size_t i = 0; i < sheet.posed.pose.size(); ++i) parameters[rig.parameters()[i].name] = sheet.posed.pose[i];
+  row["parameters"] = std::move(parameters);
+  row["lines"] = lines_json(sheet.drawn, sheet.posed.read.lines, curves);
+  if (neutral) row["neutral_lines"] = lines_json(*neutral, sheet.posed.read.neutral, curves);
+}
+
+/// `after`: with what was drawn.
+void print_json(const DrawArguments& arguments, const std::vector<Sheet>& sheets,
+                const std::optional<io::PictureLines>& neutral, const document::Document& after,
+                const std::vector<portrait::FeatureCurve>& curves) {
+  const rig::Rig& rig = *after.model->rig;
+  Json out = {{"model", arguments.model}};
+  if (sheets.front().time_s) {
+    Json rows = Json::array();
+    for (const Sheet& sheet : sheets) {
+      Json row = Json::object();
+      add_sheet(row, sheet, neutral, rig, curves);
+      rows.push_back(std::move(row));
+    }
+    out["drawings"] = std::move(rows);
+  } else {
+    add_sheet(out, sheets.front(), neutral, rig, curves);
+  }
+  out["state"] = document::DocumentHasher()(after).whole.hex();
   std::cout << out.dump_as_made() << '\n';
 }
 
+/// The document in the pose of a single drawing, or with a key for each, in the pose of the first of them. Errors: the
+/// timeline is too short (place: --every).
+base::Result<document::Document> posed_by(const document::Document& document, const std::vector<Sheet>& sheets) {
+  document::Document after = document;
+  if (!sheets.front().time_s) {
+    after.pose = sheets.front().posed.pose;
+    return after;
+  }
+  document::ApplyWorkspace work;
+  for (const Sheet& sheet : sheets) {
+    after.pose = sheet.posed.pose;
+    const std::string name = std::filesystem::path(sheet.file).stem().string();
+    auto keyed = document::apply(after, document::SetKey{*sheet.time_s, name}, work);
+    if (!keyed) return base::Error{keyed.error().what, "--every", keyed.error().remedy};
+    after = std::move(*keyed);
+  }
+  return document::apply(after, document::GoToTime{*sheets.front().time_s}, work);
+}
+
 int draw(const DrawArguments& arguments) {
+  std::string blamed;
+  const auto named = drawing_files(arguments.drawings, arguments.neutral, blamed);
+  if (!named) return files::report(named.error(), blamed);
+  // One file poses the model; a folder, or several, are keys.
+  const bool keys = *named != arguments.drawings || named->size() > 1;
   files::FileRoles roles;
   roles.reads(arguments.model);
-  roles.reads(arguments.drawing);
+  for (const std::string& file : *named) roles.reads(file);
   if (!arguments.neutral.empty()) roles.reads(arguments.neutral);
   if (!arguments.curves.empty()) roles.reads(arguments.curves);
   if (const auto fits = arguments.out.empty() ? base::Done{} : roles.writes(arguments.out, "-o"); !fits)
     return files::report(fits.error(), arguments.out);
-  auto document = files::load_document(arguments.model);
+  const auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model& model = *document->model;
-  const auto named = named_curves(arguments.curves);
-  if (!named) return files::report(named.error(), arguments.curves);
+  const auto vertices = read_curves_file(arguments.curves);
+  if (!vertices) return files::report(vertices.error(), arguments.curves);
   const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
-  const auto features = tracking::feature_curves_of(model, whole, *named);
-  if (!features) return files::report(features.error(), named->empty() ? arguments.model : arguments.curves);
+  const auto features = tracking::feature_curves_of(model, whole, *vertices);
+  if (!features) return files::report(features.error(), vertices->empty() ? arguments.model : arguments.curves);
   const auto& curves = features->curves;
-  const auto drawn = lines_of(arguments.drawing);
-  if (!drawn) return files::report(drawn.error(), arguments.drawing);
-  portrait::Drawing drawing{points_of(*drawn), {}};
   std::optional<io::PictureLines> neutral;
   if (!arguments.neutral.empty()) {
-    auto read = lines_of(arguments.neutral);
+    auto read = read_drawing_file(arguments.neutral);
     if (!read) return files::report(read.error(), arguments.neutral);
     neutral = std::move(*read);
-    drawing.neutral = points_of(*neutral);
   }
-  const auto start = tracking::drawing_start(*document, whole, features->curves);
+  const auto start = tracking::drawing_start(*document, whole, curves);
   const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose,
                                                   arguments.yaw_degrees.value_or(model.front_yaw_degrees));
-  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start.pose, start.free);
-  if (!posed) return files::report(posed.error(), arguments.drawing);
+  const auto& before = document->timeline->keys;
+  const double first_s = before.empty() ? 0.0 : before.back().time_s + arguments.every_s;
+  std::vector<Sheet> sheets;
+  Progress progress("reading drawings", named->size());
+  for (const std::string& file : *named) {
+    auto drawn = read_drawing_file(file);
+    if (!drawn) return files::report(drawn.error(), file);
+    const portrait::Drawing drawing{drawn_lines(*drawn),
+                                    neutral ? drawn_lines(*neutral) : std::vector<portrait::DrawnLine>{}};
+    auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start.pose, start.free);
+    if (!posed) return files::report(posed.error(), file);
+    Sheet sheet{file, std::move(*drawn), std::move(*posed), std::nullopt};
+    if (keys) sheet.time_s = first_s + arguments.every_s * static_cast<double>(sheets.size());
+    sheets.push_back(std::move(sheet));
+    progress.advance();
+  }
+  progress.finish();
+  const auto after = posed_by(*document, sheets);
+  if (!after) return files::report(after.error(), arguments.model);
   if (arguments.json) {
-    print_json(arguments, *drawn, neutral, *posed, *document, *features);
+    print_json(arguments, sheets, neutral, *after, curves);
   } else {
-    print(*drawn, *posed, *document, *features);
+    print(sheets, *document, *features);
   }
   if (arguments.out.empty()) return k_success;
-  document->pose = posed->pose;
-  if (auto saved = files::save_as_it_came(*document, arguments.out); !saved)
+  if (auto saved = files::save_as_it_came(*after, arguments.out); !saved)
     return files::report(saved.error(), arguments.out);
   return k_success;
 }
@@ -164,9 +206,16 @@ int draw(const DrawArguments& arguments) {
 void add_options(CLI::App& command, DrawArguments& arguments) {
   command.add_option("MODEL", arguments.model, "model or project with a face")->required();
   command
-      .add_option("DRAWING", arguments.drawing,
-                  "lines of a face, in any order and place: SVG, or a picture of them (PNG, JPEG, WebP)")
+      .add_option("DRAWING", arguments.drawings,
+                  "lines of a face, in any order and place: SVG, or a picture of them (PNG, JPEG, WebP); several, or a "
+                  "folder of them in the order of their names, are keys on the timeline")
       ->required();
+  command
+      .add_option("--every", arguments.every_s,
+                  "seconds from one key to the next; the first is at 0, or so long after "
+                  "the last key that MODEL has")
+      ->check(CLI::Validator(number_range(0.001, 3600), "0.001 to 3600"))
+      ->capture_default_str();
   command.add_option("--neutral", arguments.neutral,
                      "the same hand's drawing of the face at rest, in the same view: takes its proportions out");
   command.add_option(
@@ -184,7 +233,7 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
 
 Subcommand draw_subcommand() {
   return subcommand<DrawArguments>(
-      "draw", files::Rights::no_programs, "Poses a face as a drawing of it shows, without labels", add_options, draw,
+      "draw", files::Rights::no_programs, "Poses a face as drawings of it show, without labels", add_options, draw,
       {"penpose draw head.glb smile.svg -o smile.glb", "the face takes what the drawing shows"},
       {"penpose draw head.glb smile.png --neutral rest.png --curves curves.json --json",
        "by the same hand's drawing of the face at rest; which line is which, and the pose"},

@@ -72,6 +72,19 @@ TEST_F(RenderCommand, FailuresAreOneLineAndLeaveNoFile) {
   }
 }
 
+TEST_F(RenderCommand, DrawsLinesAsAnSvg) {
+  ASSERT_EQ(render({"builtin:demo", "--lines", "-o", path("head.svg")}), k_success) << error_;
+  const std::string svg = content("head.svg");
+  for (const char* id : {"id=\"jaw\"", "id=\"lip_upper\"", "id=\"silhouette_0\""})
+    EXPECT_NE(svg.find(id), std::string::npos) << id;
+  ASSERT_EQ(render({model(), "--lines", "-o", path("model.svg")}), k_success);
+  EXPECT_NE(error_.find("no features of a face were found; the silhouette is drawn alone"), std::string::npos);
+  EXPECT_NE(content("model.svg").find("silhouette_0"), std::string::npos);
+  EXPECT_EQ(render({model(), "--lines", "-o", path("x.png")}), k_failure);
+  EXPECT_FALSE(std::filesystem::exists(path("x.png")));
+  EXPECT_EQ(render({model(), "--lines", "--clay", "-o", path("x.svg")}), k_wrong_usage);
+}
+
 TEST_F(RenderCommand, WrongUsageIsTwo) {
   const std::vector<std::vector<std::string>> all{
       {},
