@@ -123,6 +123,25 @@ bool carries_all(const std::vector<Line>& ways) {
   return least > k_carries * most;
 }
 
+/// Leaves the weakest controls out, beyond what is asked; the order stays.
+void keep_strongest(std::vector<Control>& controls, std::vector<std::vector<Line>>& ways) {
+  if (controls.size() <= k_most_controls) return;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t j = 0; j < ways.size(); ++j) order.emplace_back(-longest_way(ways[j]), j);
+  std::sort(order.begin(), order.end());
+  std::vector<bool> kept(controls.size(), false);
+  for (std::size_t i = 0; i < k_most_controls; ++i) kept[order[i].second] = true;
+  std::size_t to = 0;
+  for (std::size_t j = 0; j < controls.size(); ++j) {
+    if (!kept[j]) continue;
+    controls[to] = controls[j];
+    ways[to] = std::move(ways[j]);
+    ++to;
+  }
+  controls.resize(to);
+  ways.resize(to);
+}
+
 }  // namespace
 
 std::size_t FaceView::stretches_per_curve() { return k_parts.size(); }
@@ -203,6 +222,10 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
                                       std::span<const std::size_t> free, const geometry::Camera& camera) {
   if (curves.empty())
     return base::Error{"the model has no feature curves", "", "name them in a file and pass it by --curves"};
+  if (curves.size() > k_most_curves) {
+    return base::Error{std::to_string(curves.size()) + " curves are more than the 60 of a face", "",
+                       "name the features of the face alone"};
+  }
   Bound bound;
   for (const FeatureCurve& curve : curves) {
     for (const posing::CurvePoint& point : curve.points) {
@@ -266,6 +289,7 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
     view.controls_.push_back(control);
     ways.push_back(std::move(way));
   }
+  keep_strongest(view.controls_, ways);
   std::vector<std::size_t> number(rig.parameters().size(), intent::k_no_partner);
   for (std::size_t j = 0; j < view.controls_.size(); ++j) number[view.controls_[j].parameter] = j;
   for (std::size_t j = 0; j < view.controls_.size(); ++j) {

@@ -15,6 +15,10 @@ namespace penpose::portrait {
 
 using geometry::PxPoint;
 
+/// The most curves of a face, and the most controls that are asked what they do to them: those that move them farthest.
+inline constexpr std::size_t k_most_curves = 60;
+inline constexpr std::size_t k_most_controls = 400;
+
 /// Lines and stretches of curves are compared at so many points, evenly spaced along them.
 inline constexpr std::size_t k_points = 12;
 inline constexpr std::size_t k_numbers = 2 * k_points;
@@ -59,7 +63,8 @@ struct Stretch {
 class FaceView {
  public:
   /// `start`: the pose at which nothing has moved. `free`: the parameters that may move, ascending; those that move no
-  /// curve by half a px or more, and joints that carry the whole face, are left out.
+  /// curve by half a px or more, and joints that carry the whole face, are left out, and so are the weakest beyond
+  /// k_most_controls.
   /// Errors: no curves or too many, a curve without length in the view or behind the camera, numbers that are not
   /// finite.
   static base::Result<FaceView> make(const rig::Rig& rig, const intent::WholeModel& whole,

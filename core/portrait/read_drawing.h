@@ -14,7 +14,6 @@
 namespace penpose::portrait {
 
 inline constexpr std::size_t k_most_lines = 60;
-inline constexpr std::size_t k_most_curves = 60;
 
 /// A line of a drawing, px of the sheet, x to the right, y down. At least two points, not all at one place.
 using DrawnLine = std::vector<PxPoint>;

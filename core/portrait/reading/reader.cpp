@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/base/math.h"
 
@@ -20,6 +21,8 @@ constexpr std::size_t k_refined = 4, k_turned = 2;
 constexpr int k_rounds = 5;
 constexpr double k_first_doubt = 0.1;
 constexpr double k_any = std::numeric_limits<double>::infinity();
+/// Labellings tried for one sheet; the best of them is taken then.
+constexpr std::size_t k_most_trials = 1500;
 /// Labels are tried with other controls, too, where those chosen already come this near to the best energy.
 constexpr double k_promising = 8.0;
 /// What a line costs in the energy of a reading that is nothing known.
@@ -239,14 +242,15 @@ Reading SheetReader::settled(std::vector<Label> labels, const Placement& placeme
 
 Reading SheetReader::improved(Reading reading) {
   constexpr int k_improving = 6;
-  std::map<std::vector<std::size_t>, double> tried;
+  std::set<std::vector<std::size_t>> tried;
   for (int round = 0; round < k_improving; ++round) {
     system_.bend(reading.pose.shares);
     const Likeness near(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
     Reading best = reading;
     const auto consider = [&](std::vector<Label> labels) {
-      if (!tried.emplace(key_of(labels), 0.0).second) return;
+      if (trials_ >= k_most_trials || !tried.insert(key_of(labels)).second) return;
+      ++trials_;
       auto one = read_as(fine(std::move(labels), reading), reading.pose.units, best.energy + k_promising);
       if (one && one->energy < best.energy - 1e-6) best = std::move(*one);
     };

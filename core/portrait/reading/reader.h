@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,6 +52,7 @@ class SheetReader {
   const FaceView& face_;
   Stretches stretches_;
   std::span<const Trace> lines_;
+  std::size_t trials_ = 0;  ///< of improved()
   Hand hand_;
   bool still_;
   std::vector<double> apart_;  ///< distances between lines, px of the sheet

@@ -16,7 +16,7 @@ constexpr double k_unit = 6.0;
 constexpr double k_alone = 1.0;
 /// Times the square of a share.
 constexpr double k_share = 3.0;
-constexpr std::size_t k_most_units = 24;
+constexpr std::size_t k_most_units = 14;
 constexpr double k_gain = 1e-9;
 
 }  // namespace

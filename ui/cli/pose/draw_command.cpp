@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -79,7 +80,13 @@ void print(const Sheet& sheet, const document::Document& document, const std::ve
     std::cout << "  " << base::shown_name(parameters[i].name) << "  " << base::format_fixed(document.pose[i], 4)
               << " -> " << base::format_fixed(posed.pose[i], 4) << '\n';
   }
-  if (moved == 0) std::cout << "the drawing shows the face at rest\n";
+  const bool known = std::any_of(posed.read.lines.begin(), posed.read.lines.end(),
+                                 [](const portrait::LineRead& line) { return line.curve.has_value(); });
+  if (!known) {
+    std::cout << "no line is a feature of this face, and nothing moves\n";
+  } else if (moved == 0) {
+    std::cout << "the drawing shows the face at rest\n";
+  }
 }
 
 void print(const std::vector<Sheet>& sheets, const document::Document& document,
