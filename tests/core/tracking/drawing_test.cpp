@@ -189,6 +189,27 @@ TEST_F(DrawingOfTheHead, WhatIsNoFeatureIsSaidAndMovesNothing) {
   EXPECT_EQ(read->pose, rig::rest_pose(rig()));
 }
 
+TEST_F(DrawingOfTheHead, AHouseAndAScribbleMoveNothingWildly) {
+  const std::vector<DrawnLine> house = {
+      {{50, 200}, {50, 380}, {350, 380}, {350, 200}},   {{30, 210}, {200, 60}, {370, 210}},
+      {{170, 380}, {170, 280}, {230, 280}, {230, 380}}, {{80, 240}, {130, 240}, {130, 290}, {80, 290}, {80, 240}},
+      {{300, 120}, {300, 60}, {330, 60}, {330, 150}},
+  };
+  std::vector<DrawnLine> scribble;
+  tests::Random random(13);
+  for (int i = 0; i < 25; ++i) {
+    scribble.push_back({{random(50, 750), random(50, 750)}});
+    for (int k = 0; k < 20; ++k)
+      scribble.back().push_back(scribble.back().back() + PxPoint{random(-70, 70), random(-70, 70)});
+  }
+  for (const auto& lines : {house, scribble}) {
+    const auto read = this->read({lines, {}});
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->pose, rig::rest_pose(rig()));
+    for (const LineRead& line : read->read.lines) EXPECT_FALSE(line.curve);
+  }
+}
+
 TEST_F(DrawingOfTheHead, TheSameDrawingGivesTheSameBits) {
   const auto drawn = draw(laugh(), 12);
   const auto one = read({lines(drawn), {}});
