@@ -337,9 +337,12 @@ def killed_twice(program, screen, folder):
         screen.picture("11_offered")
         screen.key("Return")
         wait_for("the work to be brought back", lambda: len(lines_of(session, "# penpose tablet")) > begun)
-        time.sleep(1)
-        screen.key("i")
-        wait_for("the key in the session", lambda: len(lines_of(session, "# penpose state")) > before)
+        # While the work is being drawn again, keys do nothing.
+        began = time.monotonic()
+        while len(lines_of(session, "# penpose state")) <= before:
+            assert time.monotonic() - began < 60, "waited in vain for the key in the session"
+            screen.key("i")
+            time.sleep(2)
     process.send_signal(signal.SIGTERM)
     began = time.monotonic()
     assert process.wait(timeout=20) == 0, process.stdout.read()

@@ -25,10 +25,13 @@ struct LaughingHead {
   std::vector<std::string> names;  ///< of the curve of each line
   std::vector<std::vector<geometry::PxPoint>> lines;
 
-  explicit LaughingHead(double yaw_degrees = 0) {
+  /// `laughs`: or is at rest.
+  explicit LaughingHead(double yaw_degrees = 0, bool laughs = true) {
     character::Character head = demo_character();
     view = head.view_from(yaw_degrees);
-    EXPECT_TRUE(head.perform(document::SetParameters{k_values}));
+    if (laughs) {
+      EXPECT_TRUE(head.perform(document::SetParameters{k_values}));
+    }
     const auto camera = geometry::Camera::make(view.camera, view.viewport).value();
     for (const document::NamedCurve& curve : head.document().model->curves) {
       if (curve.points.size() < 2) continue;
