@@ -128,7 +128,7 @@ void keep_strongest(std::vector<Control>& controls, std::vector<std::vector<Line
   if (controls.size() <= k_most_controls) return;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t j = 0; j < ways.size(); ++j) order.emplace_back(-longest_way(ways[j]), j);
-  std::sort(order.begin(), order.end());
+  std::stable_sort(order.begin(), order.end());
   std::vector<bool> kept(controls.size(), false);
   for (std::size_t i = 0; i < k_most_controls; ++i) kept[order[i].second] = true;
   std::size_t to = 0;
