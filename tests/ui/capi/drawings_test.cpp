@@ -47,8 +47,8 @@ TEST(CDrawings, EachLineIsTakenForACurveAndTheFaceIsPosed) {
   // The face at rest, by the same hand: nothing moves.
   const tests::LaughingHead still(0, false);
   const auto rest = lines_in_c(still.lines);
-  ASSERT_EQ(penpose_draw_face(face.desk.open, face.head, &face.view, rest.data(), rest.size(), rest.data(),
-                              rest.size(), read.data(), &face.desk.error),
+  ASSERT_EQ(penpose_draw_face(face.desk.open, face.head, &face.view, rest.data(), rest.size(), rest.data(), rest.size(),
+                              read.data(), &face.desk.error),
             PENPOSE_OK)
       << face.desk.error.message;
   EXPECT_STRNE(read.back().curve, "") << "neutral lines are told of, too";
