@@ -59,6 +59,24 @@ Json seen(const document::Model& head, const rig::Pose& pose) {
   return curves;
 }
 
+/// A drawing of the head: a path for each curve.
+std::string drawing(const document::Model& head, double jaw) {
+  const auto camera = geometry::frame_box(document::rest_world_box(head), {640, 640}, 0);
+  document::Model moment = head;
+  moment.pose = posed(head, jaw, 0);
+  const auto positions = document::posed_positions(moment);
+  std::string text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 640' fill='none' stroke='black'>\n";
+  for (const auto& curve : head.curves) {
+    text += "<polyline points='";
+    for (const auto& point : curve.points) {
+      const auto px = camera.project(mesh::position_of(point, head.mesh->triangles(), positions)).value();
+      text += std::to_string(px.x) + "," + std::to_string(px.y) + " ";
+    }
+    text += "'/>\n";
+  }
+  return text + "</svg>\n";
+}
+
 std::string take(const document::Model& head, int number, int frames) {
   Json list = Json::array();
   for (int f = 0; f < frames; ++f) {
@@ -163,6 +181,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   write(folder / "face.glb", io::write_document(document::make_document(*head), "face.glb").value());
+  write(folder / "smile.svg", drawing(*head, 0.5));
+  write(folder / "rest.svg", drawing(*head, 0));
   write(folder / "keyed.glb", keyed(*head));
   write(folder / "cases.json", cases(*head));
   write(folder / "track.json", take(*head, 50, 12));

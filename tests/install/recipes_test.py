@@ -17,7 +17,7 @@ PACKAGES = {
     'meshoptimizer': ('meshoptimizer', 'meshoptimizer'), 'draco': ('draco', 'draco'), 'libwebp': ('webp', 'libwebp'),
     'libxxhash': ('xxhash', 'xxhash'), 'libevdev': ('libevdev', 'libevdev'), 'hidapi-hidraw': ('hidapi', 'hidapi'),
     'libusb-1.0': ('libusb', 'libusb1'), 'sdl2': ('sdl2', 'libsdl2'), 'fontconfig': ('fontconfig', 'fontconfig'),
-    'libdrm': ('libdrm', 'libdrm'), 'epoxy': ('libepoxy', 'libepoxy'),
+    'libdrm': ('libdrm', 'libdrm'), 'pugixml': ('pugixml', 'pugixml'), 'epoxy': ('libepoxy', 'libepoxy'),
     # Buildroot has no package of it.
     'imgui': (None, 'imgui')}
 # A header without a file for CMake, and what every recipe needs to configure.

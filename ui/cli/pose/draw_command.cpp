@@ -241,8 +241,8 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
 Subcommand draw_subcommand() {
   return subcommand<DrawArguments>(
       "draw", files::Rights::no_programs, "Poses a face as drawings of it show, without labels", add_options, draw,
-      {"penpose draw head.glb smile.svg -o smile.glb", "the face takes what the drawing shows"},
-      {"penpose draw head.glb smile.png --neutral rest.png --curves curves.json --json",
+      {"penpose draw face.glb smile.svg -o posed.glb", "the face takes what the drawing shows"},
+      {"penpose draw face.glb smile.svg --neutral rest.svg --json",
        "by the same hand's drawing of the face at rest; which line is which, and the pose"},
       {{"DRAWING", Completes::files}});
 }
