@@ -132,16 +132,16 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
     own = face.drawn_as(rest_of(face, reader.stretches(), reading, traces), true);
   }
   const bool known = own.has_value();
-  std::optional<SheetReader> reader(std::in_place, known ? *own : face, lines, known ? k_known_hand : Hand{}, false);
-  Reading reading = reader->read();
-  if (!known) {
-    // What controls do is drawn in the same proportions.
-    own = face.drawn_as(rest_of(face, reader->stretches(), reading, {}), false);
-    SheetReader again(*own, lines, Hand{}, false);
-    reading = again.read_from(reading, reader->stretches());
-    out.lines = lines_of(again.stretches(), reading);
+  SheetReader reader(known ? *own : face, lines, known ? k_known_hand : Hand{}, false);
+  Reading reading = reader.read();
+  if (known) {
+    out.lines = lines_of(reader.stretches(), reading);
   } else {
-    out.lines = lines_of(reader->stretches(), reading);
+    // What controls do is drawn in the same proportions.
+    own = face.drawn_as(rest_of(face, reader.stretches(), reading, {}), false);
+    SheetReader again(*own, lines, Hand{}, false);
+    reading = again.read_from(reading, reader.stretches());
+    out.lines = lines_of(again.stretches(), reading);
   }
   out.shares = reading.pose.shares;
   out.proportions = reading.proportions;

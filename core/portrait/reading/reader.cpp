@@ -10,15 +10,18 @@
 namespace penpose::portrait {
 namespace {
 
+/// Stretches that a line may be before all are assigned together: so many, none less likely than the best by more.
 constexpr std::size_t k_candidates = 8;
 constexpr double k_window = 18.0;
 /// Doubt of pose and placement once they were read.
 constexpr double k_doubt_left = 0.35;
 /// Readings that are followed to their end.
 constexpr std::size_t k_followed = 3;
+/// First guesses that are refined, and those of them that are turned, too.
 constexpr std::size_t k_refined = 4, k_turned = 2;
 /// Rounds of labels and placement in turn.
 constexpr int k_rounds = 5;
+/// Doubt of placement and proportions while the first pose is sought: it would shrink a face to explain a laugh.
 constexpr double k_first_doubt = 0.1;
 constexpr double k_any = std::numeric_limits<double>::infinity();
 /// Labellings tried for one sheet; the best of them is taken then.
@@ -43,7 +46,11 @@ constexpr double k_off = 10.0, k_steady_squares = 12.0;
 
 /// The weight of each line by what it leaves; none where all are about as near.
 std::vector<double> weights_of(std::span<const double> left) {
-  std::vector<double> sorted(left.begin(), left.end());
+  std::vector<double> sorted;
+  for (const double squares : left) {
+    if (squares > 0.0) sorted.push_back(squares);  // else nothing known
+  }
+  if (sorted.empty()) return {};
   std::stable_sort(sorted.begin(), sorted.end());
   const double most = k_off * std::max(k_steady_squares, sorted[sorted.size() / 2]);
   if (sorted.back() <= most) return {};

@@ -23,6 +23,9 @@ class SheetReader {
   /// `lines`: of a sheet about as large as k_face_px. `still`: the face is at rest, nothing moves.
   SheetReader(const FaceView& face, std::span<const Trace> lines, const Hand& hand, bool still);
 
+  SheetReader(const SheetReader&) = delete;
+  SheetReader& operator=(const SheetReader&) = delete;
+
   [[nodiscard]] Reading read();
   /// From what another reader of the same lines found, with its stretches.
   [[nodiscard]] Reading read_from(const Reading& other, const Stretches& stretches);
