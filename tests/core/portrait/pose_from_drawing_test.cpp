@@ -1,10 +1,11 @@
+#include "core/portrait/pose_from_drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 
 #include "core/character/demo_head.h"
-#include "core/portrait/pose_from_drawing.h"
 #include "core/tracking/feature_curves.h"
 #include "tests/support/random.h"
 
