@@ -8,12 +8,12 @@
 #include "core/curve/distance.h"
 #include "core/document/commands/apply_parts.h"
 #include "core/document/commands/command_check.h"
+#include "core/document/features/drawing_start.h"
 #include "core/drawing/tool.h"
 #include "core/head/head.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
 #include "core/portrait/pose_from_drawing.h"
-#include "core/tracking/drawing_start.h"
 
 namespace penpose::character {
 namespace {
@@ -153,9 +153,9 @@ base::Status Character::solve(Preset preset) { return perform(document::SolvePos
 base::Result<DrawnFace> Character::draw_face(const portrait::Drawing& drawing, const std::optional<View>& view) {
   const intent::WholeModel& whole = whole_model();
   const rig::Rig& rig = *document_.model->rig;
-  auto features = tracking::feature_curves_of(*document_.model, whole, {});
+  auto features = document::feature_curves_of(*document_.model, whole, {});
   if (!features) return features.error();
-  const auto start = tracking::drawing_start(document_, whole, features->curves);
+  const auto start = document::drawing_start(document_, whole, features->curves);
   const auto camera =
       view ? geometry::Camera::make(view->camera, view->viewport)
            : portrait::camera_of_drawing(rig, features->curves, start.pose, document_.model->front_yaw_degrees);

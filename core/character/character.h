@@ -14,10 +14,10 @@
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
 #include "core/document/document_hash.h"
+#include "core/document/features/feature_curves.h"
 #include "core/intent/model/whole_model.h"
 #include "core/io/model/write_model.h"
 #include "core/portrait/read_drawing.h"
-#include "core/tracking/feature_curves.h"
 
 namespace penpose::character {
 
@@ -42,7 +42,7 @@ struct Pieces {
 
 /// What a drawing of a whole face was taken for.
 struct DrawnFace {
-  tracking::FeatureCurves features;  ///< of the face, whether drawn or not
+  document::FeatureCurves features;  ///< of the face, whether drawn or not
   portrait::DrawingRead read;        ///< its lines say which of features.curves they are
 };
 
@@ -92,7 +92,7 @@ class Character {
   base::Status solve(Preset preset = Preset::meant);
   /// Poses the face as a drawing of it shows, whose lines have no labels and lie anywhere on their sheet: controls
   /// start at rest, joints and what is locked where they are. `view`: from where the drawing sees the face, whose
-  /// picture may be of any size; none: from far in front. Errors: those of tracking::feature_curves_of, Camera::make
+  /// picture may be of any size; none: from far in front. Errors: those of document::feature_curves_of, Camera::make
   /// and portrait::pose_from_drawing.
   [[nodiscard]] base::Result<DrawnFace> draw_face(const portrait::Drawing& drawing,
                                                   const std::optional<View>& view = {});

@@ -246,9 +246,11 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
   view.curve_count_ = curves.size();
   const Frame frame = frame_of(*rest);
   if (!std::isfinite(frame.scale)) return base::Error{"the feature curves have no extent", "", "choose another view"};
+  view.middle_ = frame.middle;
+  view.scale_ = frame.scale;
   const auto framed = [&](std::vector<Line> lines) {
     for (Line& line : lines) {
-      for (PxPoint& p : line) p = (p - frame.middle) * frame.scale;
+      for (PxPoint& p : line) p = view.on_face(p);
     }
     return lines;
   };

@@ -88,6 +88,11 @@ class FaceView {
   /// controls do goes along with the smooth map of the face to them (SheetWarp). `at_rest`: the lines are known, and
   /// are those at rest; otherwise the model's stay, with their proportions.
   [[nodiscard]] FaceView drawn_as(const std::vector<std::vector<PxPoint>>& lines, bool at_rest) const;
+  /// The middle of the face in the camera's picture, and px of the face for each px of it.
+  [[nodiscard]] PxPoint middle() const { return middle_; }
+  [[nodiscard]] double scale() const { return scale_; }
+  /// Where a place of the camera's picture is on the face.
+  [[nodiscard]] PxPoint on_face(const PxPoint& p) const { return (p - middle_) * scale_; }
   /// A part of a curve. Precondition: 0 <= from < to <= 1.
   [[nodiscard]] Stretch stretch(std::size_t curve, double from, double to) const;
   /// The whole of a curve.
@@ -113,6 +118,8 @@ class FaceView {
   std::vector<double> unrest_;
   std::vector<std::vector<std::size_t>> groups_;
   std::size_t curve_count_ = 0, proportion_count_ = 0;
+  PxPoint middle_{0, 0};  ///< of the face in the camera's picture
+  double scale_ = 1;
 };
 
 /// A typical share of its range that a unit moves.

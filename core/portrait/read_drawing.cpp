@@ -109,6 +109,9 @@ std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches&
   return out;
 }
 
+/// How a hand draws over a face that it sees.
+constexpr Hand k_drawn_over{0.03, 1.0};
+
 /// How the same hand draws once its face at rest is known: its proportions are those of that sheet, and the lines of
 /// both stray.
 constexpr Hand k_known_hand{0.02, 1.3};
@@ -117,29 +120,38 @@ constexpr Hand k_known_hand{0.02, 1.3};
 
 base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing) {
   if (drawing.lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};
-  const auto sheet = sheet_of(drawing.lines, "drawing");
+  if (!drawing.given.empty() && drawing.given.size() != drawing.lines.size())
+    return base::Error{"there are other numbers of labels than of lines", "given", "give one a line"};
+  const auto on_sheet = [&](std::span<const DrawnLine> lines, const char* name) {
+    auto sheet = sheet_of(lines, name);
+    if (sheet && drawing.in_view) *sheet = {face.middle(), face.scale()};
+    return sheet;
+  };
+  const auto sheet = on_sheet(drawing.lines, "drawing");
   if (!sheet) return sheet.error();
+  const Hand hand = drawing.in_view ? k_drawn_over : Hand{};
   const auto lines = traces_of(drawing.lines, *sheet);
   DrawingRead out;
   std::optional<FaceView> own;
   if (!drawing.neutral.empty()) {
-    const auto neutral = sheet_of(drawing.neutral, "neutral drawing");
+    const auto neutral = on_sheet(drawing.neutral, "neutral drawing");
     if (!neutral) return neutral.error();
     const auto traces = traces_of(drawing.neutral, *neutral);
-    SheetReader reader(face, traces, Hand{}, true);
+    SheetReader reader(face, traces, {Hand{}, drawing.in_view, true, drawing.given_neutral});
     const Reading reading = reader.read();
     out.neutral = lines_of(reader.stretches(), reading);
     own = face.drawn_as(rest_of(face, reader.stretches(), reading, traces), true);
   }
   const bool known = own.has_value();
-  SheetReader reader(known ? *own : face, lines, known ? k_known_hand : Hand{}, false);
+  const Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, drawing.given};
+  SheetReader reader(known ? *own : face, lines, drawn);
   Reading reading = reader.read();
   if (known) {
     out.lines = lines_of(reader.stretches(), reading);
   } else {
     // What controls do is drawn in the same proportions.
     own = face.drawn_as(rest_of(face, reader.stretches(), reading, {}), false);
-    SheetReader again(*own, lines, Hand{}, false);
+    SheetReader again(*own, lines, drawn);
     reading = again.read_from(reading, reader.stretches());
     out.lines = lines_of(again.stretches(), reading);
   }

@@ -18,10 +18,18 @@ inline constexpr std::size_t k_most_lines = 60;
 /// A line of a drawing, px of the sheet, x to the right, y down. At least two points, not all at one place.
 using DrawnLine = std::vector<PxPoint>;
 
+/// What somebody said a line is: a curve of the face, or k_nothing; none: it is to be found.
+using GivenLabel = std::optional<std::size_t>;
+
 /// Lines of one sheet; a second sheet by the same hand may show the face at rest in the same view.
 struct Drawing {
   std::vector<DrawnLine> lines;
   std::vector<DrawnLine> neutral;  ///< empty: none
+  /// Both were drawn over the face, px of its camera's picture: they lie about where they are meant, unless all that is
+  /// drawn fits much better elsewhere.
+  bool in_view = false;
+  std::vector<GivenLabel> given;          ///< one a line; empty: all are to be found
+  std::vector<GivenLabel> given_neutral;  ///< the same of `neutral`
 };
 
 /// What a line was taken for: a stretch of a curve.

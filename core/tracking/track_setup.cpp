@@ -6,7 +6,7 @@
 
 #include "core/base/text/closest_name.h"
 #include "core/base/text/joined.h"
-#include "core/io/tracks/known_heads.h"
+#include "core/document/features/known_heads.h"
 #include "core/rig/control_names.h"
 
 namespace penpose::tracking {
@@ -24,7 +24,7 @@ class References {
       }
       add(curve.name, std::move(points));
     }
-    add(io::known_head_curves(model));
+    add(document::known_head_curves(model));
   }
 
   /// The first curve of that name; landmark lists call the border of the lips its outer edge.

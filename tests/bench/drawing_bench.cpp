@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "core/curve/polyline.h"
+#include "core/document/features/drawing_start.h"
+#include "core/document/features/feature_curves.h"
 #include "core/portrait/pose_from_drawing.h"
 #include "core/portrait/proportions.h"
 #include "core/portrait/sheet_warp.h"
-#include "core/tracking/drawing_start.h"
-#include "core/tracking/feature_curves.h"
 #include "tests/support/random.h"
 #include "ui/files/load_model.h"
 
@@ -63,7 +63,7 @@ class Artist {
         curves_(std::move(curves)),
         rest_(rig::rest_pose(*model.rig)),
         camera_(portrait::camera_of_drawing(*model.rig, curves_, rest_, 0)) {
-    free_ = tracking::drawing_start(document::make_document(model), whole, curves_).free;
+    free_ = document::drawing_start(document::make_document(model), whole, curves_).free;
   }
 
   [[nodiscard]] base::Result<portrait::FaceView> view() const {
@@ -216,7 +216,7 @@ int measure(const std::string& path) {
   const auto model = files::load_model(path);
   if (!model) return std::fprintf(stderr, "%s\n", model.error().line(path).c_str()), 1;
   const auto whole = intent::measure_whole_model(*model->rig);
-  const auto features = tracking::feature_curves_of(*model, whole, {});
+  const auto features = document::feature_curves_of(*model, whole, {});
   if (!features) return std::fprintf(stderr, "%s\n", features.error().line(path).c_str()), 1;
   const Artist artist(*model, whole, features->curves);
   const auto view = artist.view();

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
+#include "core/document/features/vertex_curve.h"
 
 namespace penpose::io {
 
-/// A named path along vertices of a model.
-struct VertexCurve {
-  std::string name;
-  std::vector<std::uint32_t> vertices;  ///< at least 2, in order along the curve
-};
+using document::VertexCurve;
 
 /// Reads a file of landmark curves: {"curves": {NAME: {"vertices": [v0, v1, ...]}}}. Curves come in the order of their
 /// names. Errors (place: JSON pointer): a member of another type, a curve of one point.

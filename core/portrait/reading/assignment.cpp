@@ -144,6 +144,19 @@ std::vector<Label> curves_for(const Likeness& likeness, const FaceView& face, co
   return best;
 }
 
+Label label_of_curve(const Likeness& likeness, const FaceView& face, const Trace& line, std::size_t curve) {
+  const Trace back = reversed_of(line);
+  Label best{curve * FaceView::stretches_per_curve(), false, std::numeric_limits<double>::infinity()};
+  for (std::size_t s = 0; s < face.stretches().size(); ++s) {
+    if (face.stretches()[s].curve != curve) continue;
+    for (const bool reversed : {false, true}) {
+      const double cost = likeness.cost(reversed ? back : line, s, std::numeric_limits<double>::infinity());
+      if (cost < best.cost) best = {s, reversed, cost};
+    }
+  }
+  return best;
+}
+
 std::vector<double> distances_between(std::span<const Trace> lines) {
   std::vector<double> out(lines.size() * lines.size(), 0.0);
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -29,6 +29,10 @@ struct Label {
 [[nodiscard]] std::vector<Label> curves_for(const Likeness& likeness, const FaceView& face, const Trace& line,
                                             std::size_t count, double window);
 
+/// The best label of one curve for a line, however unlikely. Precondition: the face has that curve.
+[[nodiscard]] Label label_of_curve(const Likeness& likeness, const FaceView& face, const Trace& line,
+                                   std::size_t curve);
+
 /// Mean distances between lines, each from the one that is nearer to the other on the whole; n * n, px.
 [[nodiscard]] std::vector<double> distances_between(std::span<const Trace> lines);
 

@@ -35,6 +35,10 @@ constexpr double k_nothing_energy = 42.0;
 /// lacks to be one on the sheet. Without it, a drawing shrunk to a dot would be like anything.
 constexpr double k_measured = 16.0;
 
+/// Doubt of the placement of what was drawn over the face, of what is usual; and what a reading elsewhere costs.
+constexpr double k_doubt_in_view = 0.2;
+constexpr double k_elsewhere = 40.0;
+
 /// How many lines are something known.
 double known_lines(std::span<const Label> labels) {
   return static_cast<double>(
@@ -84,15 +88,17 @@ double share_nearest(const Trace& line, PxPoint p) {
 
 }  // namespace
 
-SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, const Hand& hand, bool still)
+SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, const Sketching& sketching)
     : face_(face),
       stretches_(face),
       lines_(lines),
-      hand_(hand),
-      still_(still),
+      hand_(sketching.hand),
+      in_view_(sketching.in_view),
+      still_(sketching.still),
+      given_(sketching.given),
       apart_(distances_between(lines)),
-      first_(face, Belief{{}, {}, 1.0}, hand),
-      system_(face, stretches_, lines, hand),
+      first_(face, Belief{{}, {}, 1.0}, sketching.hand),
+      system_(face, stretches_, lines, sketching.hand),
       solver_(face) {}
 
 std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
@@ -101,12 +107,21 @@ std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
   return out;
 }
 
+std::vector<std::vector<Label>> SheetReader::candidates(const Likeness& likeness, std::span<const Trace> lines) {
+  auto out = candidates_of(likeness, face_, lines, k_candidates, k_window);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!is_given(i)) continue;
+    out[i] = {*given_[i] == k_nothing ? Label{k_nothing, false, k_nothing_cost}
+                                      : label_of_curve(likeness, face_, lines[i], *given_[i])};
+  }
+  return out;
+}
+
 SheetReader::Guess SheetReader::guess_from(Placement placement, int rounds) {
   Guess guess;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Trace> lines = on_face(placement);
-    const auto candidates = candidates_of(first_, face_, lines, k_candidates, k_window);
-    const auto assigned = assign(face_, candidates, apart_);
+    const auto assigned = assign(face_, candidates(first_, lines), apart_);
     guess = {assigned.labels, placement,
              assigned.cost - k_measured * known_lines(assigned.labels) * base::log(placement.scale())};
     std::vector<Match> matches;
@@ -226,19 +241,18 @@ std::vector<Label> SheetReader::fine(std::vector<Label> labels, const Reading& r
   return labels;
 }
 
-Reading SheetReader::settled(std::vector<Label> labels, const Placement& placement) {
+Reading SheetReader::settled(std::vector<Label> labels, const Placement& placement, double doubt) {
   constexpr int k_settling = 3;
   system_.bend(std::vector<double>(face_.controls().size(), 0.0));
-  system_.place_near(placement, k_first_doubt);
+  system_.place_near(placement, std::min(doubt, k_first_doubt));
   auto last = key_of(labels);
   Reading reading = *read_as(std::move(labels), {}, k_any);
   for (int round = 0; round < k_settling; ++round) {
     system_.bend(reading.pose.shares);
-    if (round > 0) system_.place_near(placement, 1.0);
+    if (round > 0) system_.place_near(placement, doubt);
     const Likeness likeness(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
-    const auto candidates = candidates_of(likeness, face_, lines, k_candidates, k_window);
-    auto assigned = assign(face_, candidates, apart_);
+    auto assigned = assign(face_, candidates(likeness, lines), apart_);
     const bool same = key_of(assigned.labels) == last;
     last = key_of(assigned.labels);
     reading = *read_as(fine(std::move(assigned.labels), reading), reading.pose.units, k_any);
@@ -262,9 +276,14 @@ Reading SheetReader::improved(Reading reading) {
       if (one && one->energy < best.energy - 1e-6) best = std::move(*one);
     };
     std::vector<std::vector<Label>> options;
-    for (const Trace& line : lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
       constexpr std::size_t k_curves = 3;
       constexpr double k_within = 14.0;
+      const Trace& line = lines[i];
+      if (is_given(i)) {
+        options.emplace_back();
+        continue;
+      }
       auto some = curves_for(near, face_, line, k_curves, k_within);
       for (const Label& label : curves_for(first_, face_, line, k_curves, k_within)) {
         if (std::find(some.begin(), some.end(), label) == some.end()) some.push_back(label);
@@ -297,6 +316,13 @@ Reading SheetReader::improved(Reading reading) {
   return reading;
 }
 
+double SheetReader::doubt_of(const Placement& placement) const {
+  constexpr double k_turned = 0.15, k_shifted = 60.0;
+  const bool here = std::abs(placement.along - 1.0) + std::abs(placement.across) < k_turned &&
+                    geometry::distance(placement.shift, {0, 0}) < k_shifted;
+  return in_view_ && here ? k_doubt_in_view : 1.0;
+}
+
 Reading SheetReader::read_from(const Reading& other, const Stretches& stretches) {
   std::vector<Label> labels = other.labels;
   for (Label& label : labels) {
@@ -305,17 +331,26 @@ Reading SheetReader::read_from(const Reading& other, const Stretches& stretches)
     label.stretch = stretches_.near(one.curve, one.from, one.to);
   }
   system_.bend(other.pose.shares);
-  system_.place_near(other.placement, 1.0);
+  system_.place_near(other.placement, doubt_of(other.placement));
   return improved(*read_as(std::move(labels), other.pose.units, k_any));
 }
 
 Reading SheetReader::read() {
   Reading best;
-  bool found = false;
+  double most = k_any;
+  if (in_view_) {
+    const Placement here;
+    best = improved(settled(guess_from(here, 1).labels, here, k_doubt_in_view));
+    // Few lines say nothing of where the face is; many that are all known are where they are.
+    constexpr std::size_t k_enough = 5;
+    if (lines_.size() < k_enough || known_lines(best.labels) == static_cast<double>(lines_.size())) return best;
+    most = best.energy - k_elsewhere;
+  }
   for (const Guess& guess : guesses()) {
-    Reading one = improved(settled(guess.labels, guess.placement));
-    if (!found || one.energy < best.energy) best = std::move(one);
-    found = true;
+    Reading one = improved(settled(guess.labels, guess.placement, 1.0));
+    if (one.energy >= most) continue;
+    most = one.energy;
+    best = std::move(one);
   }
   return best;
 }

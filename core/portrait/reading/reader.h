@@ -17,11 +17,19 @@ struct Reading {
   double energy = 0;  ///< of the pose, and of lines of one curve
 };
 
+/// How the lines of a sheet were drawn, and what is known of them.
+struct Sketching {
+  Hand hand;
+  bool in_view = false;                                    ///< over the face: the sheet is its own picture
+  bool still = false;                                      ///< the face is at rest, nothing moves
+  std::span<const std::optional<std::size_t>> given = {};  ///< one a line: its curve, or k_nothing; empty: none
+};
+
 /// Reads the lines of one sheet.
 class SheetReader {
  public:
-  /// `lines`: of a sheet about as large as k_face_px. `still`: the face is at rest, nothing moves.
-  SheetReader(const FaceView& face, std::span<const Trace> lines, const Hand& hand, bool still);
+  /// `lines`: of a sheet about as large as k_face_px.
+  SheetReader(const FaceView& face, std::span<const Trace> lines, const Sketching& sketching);
 
   SheetReader(const SheetReader&) = delete;
   SheetReader& operator=(const SheetReader&) = delete;
@@ -38,6 +46,9 @@ class SheetReader {
     double cost = 0;
   };
   [[nodiscard]] Guess guess_from(Placement placement, int rounds);
+  /// What each line may be, given where the sheet lies; only what was said of it where something was.
+  [[nodiscard]] std::vector<std::vector<Label>> candidates(const Likeness& likeness, std::span<const Trace> lines);
+  [[nodiscard]] bool is_given(std::size_t line) const { return line < given_.size() && given_[line].has_value(); }
   [[nodiscard]] std::vector<Guess> guesses();
   [[nodiscard]] std::vector<Trace> on_face(const Placement& placement) const;
   /// The best pose for labels, lines sliding along curves as they are in the last pose.
@@ -45,7 +56,9 @@ class SheetReader {
   [[nodiscard]] std::optional<Reading> read_as(std::vector<Label> labels, std::span<const std::size_t> units,
                                                double most);
   /// Labels anew beside the pose of a reading, again and again.
-  [[nodiscard]] Reading settled(std::vector<Label> labels, const Placement& placement);
+  [[nodiscard]] Reading settled(std::vector<Label> labels, const Placement& placement, double doubt);
+  /// Doubt of a placement that was found before, of what is usual.
+  [[nodiscard]] double doubt_of(const Placement& placement) const;
   /// Changes labels of single lines, and of two that change places, while that lowers the energy.
   [[nodiscard]] Reading improved(Reading reading);
 
@@ -57,7 +70,8 @@ class SheetReader {
   std::span<const Trace> lines_;
   std::size_t trials_ = 0;  ///< of improved()
   Hand hand_;
-  bool still_;
+  bool in_view_, still_;
+  std::span<const std::optional<std::size_t>> given_;
   std::vector<double> apart_;  ///< distances between lines, px of the sheet
   Likeness first_;
   LineSystem system_;

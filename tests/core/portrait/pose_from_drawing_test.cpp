@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/character/demo_head.h"
-#include "core/tracking/feature_curves.h"
+#include "core/document/features/feature_curves.h"
 #include "tests/support/random.h"
 
 // Drawings of known poses of the built-in head, by an unsteady hand.
@@ -24,7 +24,7 @@ class DrawingOfTheHead : public testing::Test {
   static void SetUpTestSuite() {
     model_ = new document::Model(character::make_demo_head().value());
     whole_ = new intent::WholeModel(intent::measure_whole_model(*model_->rig));
-    curves_ = new std::vector<FeatureCurve>(tracking::feature_curves_of(*model_, *whole_, {}).value().curves);
+    curves_ = new std::vector<FeatureCurve>(document::feature_curves_of(*model_, *whole_, {}).value().curves);
   }
   static void TearDownTestSuite() {
     delete model_;

@@ -10,13 +10,13 @@
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
 #include "core/base/text/letters.h"
+#include "core/document/features/feature_curves.h"
 #include "core/document/look.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/picture_lines/svg/write_svg_lines.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
-#include "core/tracking/feature_curves.h"
 #include "core/tracking/line_drawing.h"
 #include "ui/cli/draw_option.h"
 #include "ui/cli/model/frame_name.h"
@@ -181,7 +181,7 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
 
 /// Draws the model's features and contours as an SVG and writes it. What has no face has contours alone.
 int draw_lines(const Options& options, const document::Model& model, const geometry::Camera& camera) {
-  const auto features = tracking::feature_curves_of(model, intent::measure_whole_model(*model.rig), {});
+  const auto features = document::feature_curves_of(model, intent::measure_whole_model(*model.rig), {});
   if (!features) files::warn(features.error().what + "; the silhouette is drawn alone", options.model);
   const std::string svg = io::write_svg_lines(
       tracking::line_drawing(model, features ? features->curves : std::vector<portrait::FeatureCurve>{}, camera));

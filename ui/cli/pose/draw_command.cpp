@@ -10,9 +10,9 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/commands/apply.h"
 #include "core/document/document_hash.h"
+#include "core/document/features/drawing_start.h"
+#include "core/document/features/feature_curves.h"
 #include "core/portrait/pose_from_drawing.h"
-#include "core/tracking/drawing_start.h"
-#include "core/tracking/feature_curves.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/drawing_files.h"
 #include "ui/cli/progress.h"
@@ -90,7 +90,7 @@ void print(const Sheet& sheet, const document::Document& document, const std::ve
 }
 
 void print(const std::vector<Sheet>& sheets, const document::Document& document,
-           const tracking::FeatureCurves& features) {
+           const document::FeatureCurves& features) {
   if (features.found) std::cout << "feature curves were found by the shape of the face\n";
   for (const std::string& name : features.unsure)
     std::cout << "  " << name << " is not sure and not used; --curves names it\n";
@@ -168,7 +168,7 @@ int draw(const DrawArguments& arguments) {
   const auto vertices = read_curves_file(arguments.curves);
   if (!vertices) return files::report(vertices.error(), arguments.curves);
   const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
-  const auto features = tracking::feature_curves_of(model, whole, *vertices);
+  const auto features = document::feature_curves_of(model, whole, *vertices);
   if (!features) return files::report(features.error(), vertices->empty() ? arguments.model : arguments.curves);
   const auto& curves = features->curves;
   std::optional<io::PictureLines> neutral;
@@ -177,7 +177,7 @@ int draw(const DrawArguments& arguments) {
     if (!read) return files::report(read.error(), arguments.neutral);
     neutral = std::move(*read);
   }
-  const auto start = tracking::drawing_start(*document, whole, curves);
+  const auto start = document::drawing_start(*document, whole, curves);
   const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose,
                                                   arguments.yaw_degrees.value_or(model.front_yaw_degrees));
   const auto& before = document->timeline->keys;

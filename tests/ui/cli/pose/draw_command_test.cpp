@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/character/demo_head.h"
+#include "core/document/features/feature_curves.h"
 #include "core/io/picture_lines/svg/write_svg_lines.h"
 #include "core/portrait/pose_from_drawing.h"
 #include "core/portrait/silhouette.h"
-#include "core/tracking/feature_curves.h"
 #include "tests/support/command_run.h"
 #include "ui/cli/commands.h"
 
@@ -25,7 +25,7 @@ class DrawCommand : public tests::CommandRun {
   static void SetUpTestSuite() {
     model_ = new document::Model(character::make_demo_head().value());
     const auto whole = intent::measure_whole_model(*model_->rig);
-    curves_ = new std::vector<portrait::FeatureCurve>(tracking::feature_curves_of(*model_, whole, {}).value().curves);
+    curves_ = new std::vector<portrait::FeatureCurve>(document::feature_curves_of(*model_, whole, {}).value().curves);
   }
   static void TearDownTestSuite() {
     delete model_;

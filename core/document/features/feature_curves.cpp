@@ -1,16 +1,16 @@
-#include "core/tracking/feature_curves.h"
+#include "core/document/features/feature_curves.h"
 
 #include <algorithm>
 
-#include "core/io/tracks/known_heads.h"
+#include "core/document/features/known_heads.h"
 #include "core/portrait/features/find_features.h"
 
-namespace penpose::tracking {
+namespace penpose::document {
 namespace {
 
-base::Result<FeatureCurves> at_vertices(const document::Model& model, const std::vector<io::VertexCurve>& named) {
+base::Result<FeatureCurves> at_vertices(const Model& model, const std::vector<VertexCurve>& named) {
   FeatureCurves out;
-  for (const io::VertexCurve& curve : named) {
+  for (const VertexCurve& curve : named) {
     portrait::FeatureCurve one{curve.name, {}};
     for (const std::uint32_t v : curve.vertices) {
       if (v >= model.mesh->vertex_count()) {
@@ -26,18 +26,18 @@ base::Result<FeatureCurves> at_vertices(const document::Model& model, const std:
 
 }  // namespace
 
-base::Result<FeatureCurves> feature_curves_of(const document::Model& model, const intent::WholeModel& whole,
-                                              const std::vector<io::VertexCurve>& named) {
+base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::WholeModel& whole,
+                                              const std::vector<VertexCurve>& named) {
   if (!named.empty()) return at_vertices(model, named);
   FeatureCurves out;
-  for (const document::NamedCurve& curve : model.curves) {
+  for (const NamedCurve& curve : model.curves) {
     portrait::FeatureCurve one{curve.name, {}};
     for (const mesh::MeshPoint& point : curve.points)
       one.points.push_back(posing::at_mesh_point(point, model.mesh->triangles()));
     if (one.points.size() > 1) out.curves.push_back(std::move(one));
   }
   if (!out.curves.empty()) return out;
-  auto known = at_vertices(model, io::known_head_curves(model));
+  auto known = at_vertices(model, known_head_curves(model));
   if (!known) return known;
   out = std::move(*known);
   // Lists of known heads call the border of the lips plainly by its lip.
@@ -63,4 +63,4 @@ base::Result<FeatureCurves> feature_curves_of(const document::Model& model, cons
   return out;
 }
 
-}  // namespace penpose::tracking
+}  // namespace penpose::document

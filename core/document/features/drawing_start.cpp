@@ -1,13 +1,13 @@
-#include "core/tracking/drawing_start.h"
+#include "core/document/features/drawing_start.h"
 
 #include <algorithm>
 
-namespace penpose::tracking {
+namespace penpose::document {
 
 namespace {
 
 /// Whether anything but joints moves these curves.
-bool moved_by_shapes(const document::Model& model, const intent::WholeModel& whole,
+bool moved_by_shapes(const Model& model, const intent::WholeModel& whole,
                      std::span<const portrait::FeatureCurve> curves) {
   std::vector<std::uint32_t> vertices;
   for (const portrait::FeatureCurve& curve : curves) {
@@ -23,7 +23,7 @@ bool moved_by_shapes(const document::Model& model, const intent::WholeModel& who
 
 }  // namespace
 
-DrawingStart drawing_start(const document::Document& document, const intent::WholeModel& whole,
+DrawingStart drawing_start(const Document& document, const intent::WholeModel& whole,
                            std::span<const portrait::FeatureCurve> curves) {
   const auto parameters = document.model->rig->parameters();
   const bool shapes = moved_by_shapes(*document.model, whole, curves);
@@ -37,4 +37,4 @@ DrawingStart drawing_start(const document::Document& document, const intent::Who
   return out;
 }
 
-}  // namespace penpose::tracking
+}  // namespace penpose::document

@@ -8,7 +8,7 @@
 #include "core/intent/model/whole_model.h"
 #include "core/portrait/feature_curve.h"
 
-namespace penpose::tracking {
+namespace penpose::document {
 
 /// What a drawing of a face is read from (portrait::pose_from_drawing).
 struct DrawingStart {
@@ -18,7 +18,7 @@ struct DrawingStart {
 
 /// A drawing shows the face from rest, whatever pose the document is in: controls start there, joints where they are.
 /// What is locked stays as it is. Joints stay where anything else moves the curves.
-[[nodiscard]] DrawingStart drawing_start(const document::Document& document, const intent::WholeModel& whole,
+[[nodiscard]] DrawingStart drawing_start(const Document& document, const intent::WholeModel& whole,
                                          std::span<const portrait::FeatureCurve> curves);
 
-}  // namespace penpose::tracking
+}  // namespace penpose::document

@@ -1,4 +1,4 @@
-#include "core/io/tracks/known_heads.h"
+#include "core/document/features/known_heads.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include "tests/support/models/rendered_track.h"
 #include "tests/support/shared_data.h"
 
-namespace penpose::io {
+namespace penpose::document {
 namespace {
 
 document::Model face() {
-  return read_model(tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb"), "ict_face.glb").value();
+  return io::read_model(tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb"), "ict_face.glb").value();
 }
 
 /// The same model with its vertices elsewhere and, where asked for, its controls renamed.
@@ -56,8 +56,8 @@ TEST(SharedKnownHeads, TwentyIdentitiesAreKnownWhateverTheirControlsAreCalled) {
 TEST(SharedKnownHeads, VerticesInAnotherOrderAreNotTakenForIt) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "carry_head_answer.glb");
-  EXPECT_TRUE(known_head_curves(read_model(bytes, "carry_head_answer.glb").value()).empty());
+  EXPECT_TRUE(known_head_curves(io::read_model(bytes, "carry_head_answer.glb").value()).empty());
 }
 
 }  // namespace
-}  // namespace penpose::io
+}  // namespace penpose::document

@@ -1,4 +1,4 @@
-#include "core/io/tracks/known_heads.h"
+#include "core/document/features/known_heads.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "core/rig/rig.h"
 
-namespace penpose::io {
+namespace penpose::document {
 namespace {
 
 /// Vertices of the face, the head and the neck, which come first in every cut of ICT FaceKit.
@@ -67,7 +67,7 @@ geometry::ModelPoint middle_of(std::span<const geometry::ModelPoint> positions, 
 
 }  // namespace
 
-std::vector<VertexCurve> known_head_curves(const document::Model& model) {
+std::vector<VertexCurve> known_head_curves(const Model& model) {
   const auto positions = model.mesh->positions();
   if (positions.size() < k_ict_skin_vertices || !model.shapes) return {};
   // Names alone may be those of many heads, edges alone are enough.
@@ -90,4 +90,4 @@ std::vector<VertexCurve> known_head_curves(const document::Model& model) {
   return curves;
 }
 
-}  // namespace penpose::io
+}  // namespace penpose::document

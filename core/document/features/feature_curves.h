@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/document/features/vertex_curve.h"
 #include "core/document/model.h"
 #include "core/intent/model/whole_model.h"
-#include "core/io/project/landmark_file.h"
 #include "core/portrait/feature_curve.h"
 
-namespace penpose::tracking {
+namespace penpose::document {
 
 /// The feature curves of a face, and those that were looked for and are not sure enough to be used.
 struct FeatureCurves {
@@ -21,8 +21,7 @@ struct FeatureCurves {
 /// Those of a file where there are any (`named`), else those that the model names, else those of a head that is known,
 /// else those found from the shape of the face and what its controls move. Errors (place: the curve): a vertex that the
 /// model does not have; nothing was found.
-[[nodiscard]] base::Result<FeatureCurves> feature_curves_of(const document::Model& model,
-                                                            const intent::WholeModel& whole,
-                                                            const std::vector<io::VertexCurve>& named);
+[[nodiscard]] base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::WholeModel& whole,
+                                                            const std::vector<VertexCurve>& named);
 
-}  // namespace penpose::tracking
+}  // namespace penpose::document
