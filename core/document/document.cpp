@@ -54,7 +54,7 @@ std::shared_ptr<const std::vector<TakenReading>> taken_of_rig(std::vector<TakenR
 bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
-         document.views.empty();
+         document.views.empty() && !document.face && !document.neutral;
 }
 
 Model model_of(const Document& document) {
@@ -69,6 +69,14 @@ Model model_of(const Document& document) {
 const PoseCurve* find_curve(const Document& document, CurveId id) {
   for (const auto& curve : document.curves) {
     if (curve->id == id) return curve.get();
+  }
+  return nullptr;
+}
+
+const FaceLine* find_face_line(const Document& document, CurveId id) {
+  if (!document.face) return nullptr;
+  for (const FaceLine& line : document.face->lines) {
+    if (line.id == id) return &line;
   }
   return nullptr;
 }

@@ -8,6 +8,7 @@
 
 #include "core/articulation/sketch.h"
 #include "core/base/result.h"
+#include "core/document/drawing/face_drawing.h"
 #include "core/document/drawing/pose_curve.h"
 #include "core/document/model.h"
 #include "core/document/time/timeline.h"
@@ -75,6 +76,8 @@ struct Document {
   std::shared_ptr<const Timeline> timeline;              ///< never null
   double time_s = 0;                                     ///< where on the timeline the pose was last taken from
   std::shared_ptr<const Moment> moment;                  ///< null: nothing drawn yet
+  std::shared_ptr<const FaceDrawing> face;               ///< lines of a face as it should be; null: none
+  std::shared_ptr<const FaceDrawing> neutral;            ///< the face at rest as the artist draws it; null: not known
   std::shared_ptr<const std::vector<TakenReading>> taken;  ///< later lines follow them, the latest last; null: none
   std::vector<std::shared_ptr<const NamedView>> views;
 };
@@ -99,5 +102,7 @@ struct Document {
 [[nodiscard]] Model model_of(const Document& document);
 
 [[nodiscard]] const PoseCurve* find_curve(const Document& document, CurveId id);
+/// The line of the face drawing; null: none of that number.
+[[nodiscard]] const FaceLine* find_face_line(const Document& document, CurveId id);
 
 }  // namespace penpose::document

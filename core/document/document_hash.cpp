@@ -39,6 +39,24 @@ void add_target(StateHash& hash, const DrawnTarget& target) {
   hash.add(std::span<const double>(target.weights));
 }
 
+void add_face(StateHash& hash, const char* name, const FaceDrawing& face) {
+  hash.add(name);
+  add_view(hash, face.view);
+  hash.add(face.time_s);
+  hash.add(std::uint64_t{face.lines.size()});
+  for (const FaceLine& one : face.lines) {
+    hash.add(std::uint64_t{one.id.value});
+    hash.add(std::uint64_t{one.line.size()});
+    for (const curve::PxPoint& p : one.line) {
+      hash.add(p.x);
+      hash.add(p.y);
+    }
+    hash.add(std::uint64_t{one.said.has_value()});
+    if (one.said) hash.add(*one.said);
+    hash.add(one.feature);
+  }
+}
+
 base::Hash128 hash_of(const PoseCurve& curve) {
   StateHash hash;
   hash.add(std::uint64_t{curve.id.value});
@@ -142,6 +160,8 @@ base::Hash128 DocumentHasher::hash_curves(const Document& document) {
     hash.add(named->name);
     add_view(hash, named->view);
   }
+  if (document.face) add_face(hash, "face", *document.face);
+  if (document.neutral) add_face(hash, "neutral", *document.neutral);
   return hash.digest();
 }
 

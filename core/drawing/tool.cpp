@@ -12,7 +12,7 @@ namespace penpose::document {
 
 template <>
 struct TextForm<drawing::ToolKind> {
-  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 11> k_names{
+  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 12> k_names{
       {{drawing::ToolKind::pose, "pose"},
        {drawing::ToolKind::reference, "reference"},
        {drawing::ToolKind::target, "target"},
@@ -23,7 +23,8 @@ struct TextForm<drawing::ToolKind> {
        {drawing::ToolKind::redraw, "redraw"},
        {drawing::ToolKind::erase, "erase"},
        {drawing::ToolKind::none, "none"},
-       {drawing::ToolKind::between, "between"}}};
+       {drawing::ToolKind::between, "between"},
+       {drawing::ToolKind::draw, "draw"}}};
   static void write(std::string& out, drawing::ToolKind value) {
     for (const auto& [kind, name] : k_names) {
       if (kind == value) out += name;
@@ -129,6 +130,8 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       return Command(document::RedrawCurve{tool.deformer, tool.role, view, std::move(line)});
     case ToolKind::between:
       return Command(document::DrawBetween{tool.deformer, tool.value, view, std::move(line)});
+    case ToolKind::draw:
+      return Command(document::DrawFaceLine{{view, std::move(line)}});
     case ToolKind::erase:
     case ToolKind::none:
       break;

@@ -25,6 +25,7 @@ enum class ToolKind : std::uint8_t {
   erase,
   none,     ///< strokes do nothing
   between,  ///< another target of a deformer, at `value`
+  draw,     ///< lines of the face as it should be
 };
 
 struct Tool {

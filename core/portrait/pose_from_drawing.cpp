@@ -4,6 +4,17 @@
 
 namespace penpose::portrait {
 
+rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& start, std::span<const double> shares) {
+  rig::Pose pose = start;
+  for (std::size_t j = 0; j < shares.size(); ++j) {
+    const std::size_t p = face.controls()[j].parameter;
+    const rig::Parameter& parameter = rig.parameters()[p];
+    const double value = start[p] + shares[j] * (parameter.maximum - parameter.minimum);
+    pose[p] = std::clamp(value, parameter.minimum, parameter.maximum);
+  }
+  return pose;
+}
+
 base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::WholeModel& whole,
                                           std::span<const FeatureCurve> curves, const Drawing& drawing,
                                           const geometry::Camera& camera, const rig::Pose& start,
@@ -12,13 +23,8 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
   if (!face) return face.error();
   auto read = read_drawing(*face, drawing);
   if (!read) return read.error();
-  DrawnPose out{start, std::move(*read)};
-  for (std::size_t j = 0; j < out.read.shares.size(); ++j) {
-    const std::size_t p = face->controls()[j].parameter;
-    const rig::Parameter& parameter = rig.parameters()[p];
-    const double value = start[p] + out.read.shares[j] * (parameter.maximum - parameter.minimum);
-    out.pose[p] = std::clamp(value, parameter.minimum, parameter.maximum);
-  }
+  DrawnPose out{{}, std::move(*read)};
+  out.pose = pose_of(rig, *face, start, out.read.shares);
   return out;
 }
 

@@ -12,6 +12,10 @@ struct DrawnPose {
   DrawingRead read;
 };
 
+/// The pose in which the controls of a face have moved by these shares from `start`; values stay in their ranges.
+[[nodiscard]] rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& start,
+                                std::span<const double> shares);
+
 /// Reads a drawing of a face that is seen by this camera, wherever it lies on its sheet and however large it is.
 /// `start`: where nothing has moved; `free`: parameters that may move, ascending. Errors: those of FaceView::make and
 /// read_drawing.

@@ -10,6 +10,7 @@
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
+#include "core/document/drawing/face_reader.h"
 #include "core/geometry/bvh.h"
 #include "core/intent/solve.h"
 #include "core/posing/solve.h"
@@ -21,6 +22,7 @@ namespace penpose::document {
 struct ApplyParts {
   posing::SolveWorkspace solve;
   intent::SolveWorkspace meant;
+  FaceReader face;
 
   /// What the controls of the document's rig do to the whole model.
   const intent::WholeModel& whole_of(const Document& document);
@@ -64,6 +66,9 @@ using Parts = ApplyParts;
 
 /// The document with one curve more, which gets the next number. Errors: all numbers are used up.
 [[nodiscard]] Changed with_curve(const Document& document, PoseCurve curve);
+/// The document with this drawing of the face read, and the pose that it asks for; without lines there is none, and the
+/// pose stays.
+[[nodiscard]] Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& work);
 /// The document with a curve in place of the one of the same number.
 [[nodiscard]] Document with_replaced(const Document& document, PoseCurve curve);
 /// Errors: no such curve, a constraint; with `with_line` one that has no drawn target.

@@ -6,6 +6,7 @@
 
 #include "core/document/commands/list/correction_commands.h"
 #include "core/document/commands/list/deformer_commands.h"
+#include "core/document/commands/list/face_commands.h"
 #include "core/document/commands/list/parameter_commands.h"
 #include "core/document/commands/list/placed_commands.h"
 #include "core/document/commands/list/posing_commands.h"
@@ -30,7 +31,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands>::Type;
+                            CorrectionCommands, TimeCommands, FaceCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {

@@ -299,14 +299,19 @@ Changed run(const Document& document, const KeepCurve& command, Parts&) {
   return with_replaced(document, std::move(kept));
 }
 
-Changed run(const Document& document, const DeleteCurve& command, Parts&) {
+Changed run(const Document& document, const DeleteCurve& command, Parts& work) {
+  if (find_face_line(document, command.curve) != nullptr) {
+    FaceDrawing drawing = *document.face;
+    std::erase_if(drawing.lines, [&](const FaceLine& line) { return line.id == command.curve; });
+    return with_face_read(document, std::move(drawing), work);
+  }
   if (find_curve(document, command.curve) == nullptr) return no_curve(command.curve);
   Document changed = document;
   std::erase_if(changed.curves, [&](const auto& curve) { return curve->id == command.curve; });
   return changed;
 }
 
-Changed run(const Document& document, const EraseCurves& command, Parts&) {
+Changed run(const Document& document, const EraseCurves& command, Parts& work) {
   const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport);
   if (!camera) return at("view", camera.error());
   const double near = curve::pairing_distance_px(command.view.viewport);
@@ -315,6 +320,17 @@ Changed run(const Document& document, const EraseCurves& command, Parts&) {
     if (come_near(seen(*camera, positions_of(document, curve->points)), command.line, near)) return true;
     return curve->target && come_near(seen(*camera, curve->target->points), command.line, near);
   });
+  if (document.face) {
+    FaceDrawing drawing = *document.face;
+    const geometry::ModelPoint middle = work.face.features(document, work.whole_of(document))
+                                            ? work.face.middle(document)
+                                            : rest_world_box(*document.model).center();
+    std::erase_if(drawing.lines, [&](const FaceLine& line) {
+      const auto there = line_in(command.view, drawing.view, line.line, middle);
+      return there && same_side(command.view, drawing.view) && come_near(*there, command.line, near);
+    });
+    if (drawing.lines.size() != document.face->lines.size()) return with_face_read(changed, std::move(drawing), work);
+  }
   if (changed.curves.size() == document.curves.size()) {
     return base::Error{"there is no curve under the eraser", "line", "draw over a curve"};
   }
@@ -324,6 +340,7 @@ Changed run(const Document& document, const EraseCurves& command, Parts&) {
 Changed run(const Document& document, const ClearCurves&, Parts&) {
   Document changed = document;
   changed.curves.clear();
+  changed.face = nullptr;
   return changed;
 }
 

@@ -5,6 +5,7 @@
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command_text.h"
 #include "core/io/project/internal/project_curves.h"
+#include "core/io/project/internal/project_face.h"
 #include "core/io/project/internal/project_values.h"
 
 namespace penpose::io {
@@ -208,6 +209,8 @@ json::Json project_to_json(const Document& document) {
   json::Json curves = json::Json::array();
   for (const auto& curve : document.curves) curves.push_back(curve_to_json(*curve));
   project["curves"] = std::move(curves);
+  if (document.face) project["face"] = face_to_json(*document.face);
+  if (document.neutral) project["neutral"] = face_to_json(*document.neutral);
   json::Json keys = json::Json::array();
   for (const document::PoseKey& key : document.timeline->keys) {
     json::Json one = {{"time_s", key.time_s}, {"pose", static_cast<const rig::Pose&>(key.pose)}};
@@ -228,7 +231,8 @@ json::Json project_to_json(const Document& document) {
 base::Result<Document> read_project(const json::Json& project, const std::string& pointer, document::Model model) {
   if (!project.is_object()) return project_error("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
-  for (const auto read : {read_project_curves, read_timeline, read_locks, read_taken, read_views, read_pending}) {
+  for (const auto read :
+       {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

@@ -1,0 +1,119 @@
+#include "core/document/commands/list/face_commands.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/text/closest_name.h"
+#include "core/curve/polyline.h"
+#include "core/document/commands/apply_parts.h"
+#include "core/document/commands/list/posing_commands.h"
+
+namespace penpose::document {
+namespace {
+
+/// The reference that waits for a target.
+std::optional<CurveId> waiting(const Document& document) {
+  for (const auto& curve : document.curves) {
+    if (curve->role == PoseCurveRole::reference && !curve->target) return curve->id;
+  }
+  return std::nullopt;
+}
+
+/// Whether a line of this view goes on with the drawing that is there.
+bool goes_on(const Document& document, const View& view) {
+  return document.face && document.face->time_s == document.time_s && same_side(document.face->view, view);
+}
+
+}  // namespace
+
+Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& work) {
+  Document changed = document;
+  if (drawing.lines.empty()) {
+    changed.face = nullptr;
+    return changed;
+  }
+  auto read = work.face.read(document, std::move(drawing), work.whole_of(document));
+  if (!read) return read.error();
+  changed.pose = std::move(read->pose);
+  changed.face = std::make_shared<const FaceDrawing>(std::move(read->drawing));
+  return changed;
+}
+
+Changed run(const Document& document, const DrawFaceLine& command, Parts& work) {
+  if (const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport); !camera)
+    return at("view", camera.error());
+  if (!work.face.features(document, work.whole_of(document))) {
+    if (const auto curve = waiting(document))
+      return run(document, DrawTarget{*curve, command.view, command.line, {}}, work);
+    return run(document, DrawReference{{command.view, command.line}}, work);
+  }
+  FaceDrawing drawing;
+  drawing.view = command.view;
+  drawing.time_s = document.time_s;
+  std::vector<PxPoint> line = command.line;
+  if (goes_on(document, command.view)) {
+    drawing = *document.face;
+    auto there = line_in(drawing.view, command.view, line, work.face.middle(document));
+    if (!there) return base::Error{"the line cannot be seen in this view", "view", "look at the face"};
+    line = std::move(*there);
+  }
+  if (drawing.lines.size() >= k_most_face_lines) {
+    return base::Error{"the drawing has 60 lines, which is all that are read together", "line",
+                       "erase some, or clear the drawing"};
+  }
+  const auto even = curve::resample<PxPoint>(line, k_line_points);
+  if (!even) return at("line", even.error());
+  if (document.last_curve == std::numeric_limits<std::uint32_t>::max())
+    return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
+  Document changed = document;
+  drawing.lines.push_back({CurveId{++changed.last_curve}, *even, std::nullopt, {}});
+  return with_face_read(changed, std::move(drawing), work);
+}
+
+Changed run(const Document& document, const NameFaceLine& command, Parts& work) {
+  FaceDrawing drawing = document.face ? *document.face : FaceDrawing{};
+  const auto line = std::find_if(drawing.lines.begin(), drawing.lines.end(),
+                                 [&](const FaceLine& one) { return one.id == command.curve; });
+  if (line == drawing.lines.end()) {
+    return base::Error{"there is no line " + std::to_string(command.curve.value) + " of a face", "curve",
+                       "it may have been deleted"};
+  }
+  const auto& features = work.face.features(document, work.whole_of(document));
+  if (!features) return features.error();
+  if (command.nothing) {
+    line->said = std::string();
+  } else if (command.feature.empty()) {
+    line->said = std::nullopt;
+  } else {
+    std::vector<std::string> names;
+    for (const portrait::FeatureCurve& curve : features->curves) names.push_back(curve.name);
+    if (std::find(names.begin(), names.end(), command.feature) == names.end()) {
+      const auto close = base::closest_name(command.feature, names);
+      return base::Error{"the face has no feature \"" + command.feature + "\"", "feature",
+                         close ? "did you mean " + *close + "?" : "take one of those that it has"};
+    }
+    line->said = command.feature;
+  }
+  return with_face_read(document, std::move(drawing), work);
+}
+
+Changed run(const Document& document, const SetNeutral& command, Parts&) {
+  Document changed = document;
+  if (!command.on) {
+    if (!document.neutral) return base::Error{"no neutral drawing is kept", "on", "draw the face at rest and keep it"};
+    changed.neutral = nullptr;
+    return changed;
+  }
+  if (!document.face) return base::Error{"no face is drawn", "on", "draw the face at rest first"};
+  FaceDrawing neutral = *document.face;
+  if (neutral.rig == document.model->rig && neutral.base.size() == document.pose.size()) changed.pose = neutral.base;
+  neutral.rig = nullptr;
+  neutral.base.clear();
+  neutral.posed.clear();
+  changed.neutral = std::make_shared<const FaceDrawing>(std::move(neutral));
+  changed.face = nullptr;
+  return changed;
+}
+
+}  // namespace penpose::document
