@@ -42,6 +42,7 @@ void add_target(StateHash& hash, const DrawnTarget& target) {
 void add_face(StateHash& hash, const char* name, const FaceDrawing& face) {
   hash.add(name);
   add_view(hash, face.view);
+  add_vector(hash, face.middle);
   hash.add(face.time_s);
   hash.add(std::uint64_t{face.lines.size()});
   for (const FaceLine& one : face.lines) {

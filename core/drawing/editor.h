@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/document/commands/apply.h"
 #include "core/document/document_hash.h"
 #include "core/document/history.h"
 #include "core/drawing/tool.h"
@@ -23,9 +24,15 @@ class Editor {
   void set_tool(Tool tool) { tool_ = std::move(tool); }
 
   base::Status perform(const document::Command& command);
+  /// The document as a command would make it. Errors: those of the command.
+  [[nodiscard]] base::Result<document::Document> after(const document::Command& command) {
+    return document::apply(document(), command, work_);
+  }
   /// A completed stroke, with the view under which it began. Errors: those of command_of and of the command; a tap
   /// where the tool wants a line.
   base::Status draw(const curve::Stroke& stroke, const document::View& view, bool eraser);
+  /// The features of the document's face, by name; empty: none are found.
+  [[nodiscard]] std::vector<std::string> features() { return document::features_of(document(), work_); }
   base::Status undo() { return history_.undo(); }
   base::Status redo() { return history_.redo(); }
 

@@ -24,12 +24,12 @@ using GivenLabel = std::optional<std::size_t>;
 /// Lines of one sheet; a second sheet by the same hand may show the face at rest in the same view.
 struct Drawing {
   std::vector<DrawnLine> lines;
-  std::vector<DrawnLine> neutral;  ///< empty: none
+  std::vector<DrawnLine> neutral = {};  ///< empty: none
   /// Both were drawn over the face, px of its camera's picture: they lie about where they are meant, unless all that is
   /// drawn fits much better elsewhere.
   bool in_view = false;
-  std::vector<GivenLabel> given;          ///< one a line; empty: all are to be found
-  std::vector<GivenLabel> given_neutral;  ///< the same of `neutral`
+  std::vector<GivenLabel> given = {};          ///< one a line; empty: all are to be found
+  std::vector<GivenLabel> given_neutral = {};  ///< the same of `neutral`
 };
 
 /// What a line was taken for: a stretch of a curve.

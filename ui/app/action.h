@@ -25,7 +25,8 @@ struct Action {
       recent, save, save_as, export_as, panels, fullscreen, theme, larger, smaller, help, quit, shortcuts, search,
       history, previous_frame, next_frame, copy_key, paste_key, loop_from, loop_to, loop_off, auto_key, mirror_strokes,
       flip_pose, copy_to_right, copy_to_left, stabiliser, moved_only, density, film, perform, library, tour_pose,
-      tour_rig, tour_animate, flat_view, set_front, backdrop, backdrop_off, clay, frame_face, up_axis, left_handed;
+      tour_rig, tour_animate, flat_view, set_front, backdrop, backdrop_off, clay, frame_face, up_axis, left_handed,
+      tool_draw, neutral;
 };
 inline constexpr Action Action::tool_select{"tool_select"}, Action::tool_pose{"tool_pose"},
     Action::tool_oversketch{"tool_oversketch"}, Action::tool_constraint{"tool_constraint"},
@@ -49,7 +50,8 @@ inline constexpr Action Action::tool_select{"tool_select"}, Action::tool_pose{"t
     Action::library{"library"}, Action::tour_pose{"tour_pose"}, Action::tour_rig{"tour_rig"},
     Action::tour_animate{"tour_animate"}, Action::flat_view{"flat_view"}, Action::set_front{"set_front"},
     Action::backdrop{"backdrop"}, Action::backdrop_off{"backdrop_off"}, Action::clay{"clay"},
-    Action::frame_face{"frame_face"}, Action::up_axis{"up_axis"}, Action::left_handed{"left_handed"};
+    Action::frame_face{"frame_face"}, Action::up_axis{"up_axis"}, Action::left_handed{"left_handed"},
+    Action::tool_draw{"tool_draw"}, Action::neutral{"neutral"};
 inline constexpr std::array k_named_actions{Action::tool_select,
                                             Action::tool_pose,
                                             Action::tool_oversketch,
@@ -120,7 +122,9 @@ inline constexpr std::array k_named_actions{Action::tool_select,
                                             Action::clay,
                                             Action::frame_face,
                                             Action::up_axis,
-                                            Action::left_handed};
+                                            Action::left_handed,
+                                            Action::tool_draw,
+                                            Action::neutral};
 
 struct ActionInfo {
   Action action;

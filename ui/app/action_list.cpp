@@ -125,7 +125,16 @@ Enum next_of(Enum value, int count) {
 }
 
 void clear_curves(EditingSession& editing) {
-  if (!editing.document().curves.empty()) editing.perform(document::ClearCurves{});
+  if (!editing.document().curves.empty() || editing.document().face) editing.perform(document::ClearCurves{});
+}
+
+void keep_neutral(EditingSession& editing, Notices& notices) {
+  const bool drawn = editing.document().face != nullptr;
+  if (!drawn && !editing.document().neutral)
+    return notices.tell("draw the face at rest first, then say that this is your neutral face");
+  if (!editing.perform(document::SetNeutral{drawn})) return;
+  notices.tell(drawn ? "this is your neutral face now: drawings to come are read in its proportions"
+                     : "your neutral face is forgotten");
 }
 
 void next_stabiliser(Preferences& preferences, Notices& notices) {
@@ -328,6 +337,9 @@ constexpr std::array k_actions{
     ActionInfo{{"copy_to_left"}, "Right to left", ctrl_shift('m'), {}, "The right side of the pose on the left, too",
      "M12 3L12 21M15 12L21 12M9 7L3 12L9 17F",
      does([](EditingSession& editing, Notices& notices) { copy_side(editing, notices, false); })},
+    ActionInfo{{"neutral"}, "My neutral face", {}, {},
+     "What is drawn is the face at rest as this hand draws it, for all drawings to come; again without lines: forget it",
+     "C12 12 9M8 9L9.5 9M14.5 9L16 9M8.5 15.5L15.5 15.5", does<keep_neutral>},
     ActionInfo{{"stabiliser"}, "Steady line", {}, {},
      "How much drawn lines are smoothed to the eye: off, light or strong",
      "M3 16A7.5 16 4.5 180 360M12 16A16.5 16 4.5 180 0", does<next_stabiliser>},

@@ -27,6 +27,9 @@ class ApplyWorkspace {
 /// Errors say what is wrong with the command; the place is a member of it or empty.
 [[nodiscard]] base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work);
 
+/// The features of the document's face by name; empty: none are found.
+[[nodiscard]] std::vector<std::string> features_of(const Document& document, ApplyWorkspace& work);
+
 /// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
 /// of the scene, so that the same rays go through it.
 [[nodiscard]] std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from,

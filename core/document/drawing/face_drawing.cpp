@@ -14,6 +14,7 @@ std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const View& f
                                                    const std::vector<curve::PxPoint>& line,
                                                    const geometry::ModelPoint& middle) {
   if (to == from) return line;
+  if (!same_side(to, from)) return std::nullopt;
   const auto drawn = geometry::Camera::make(from.camera, from.viewport);
   const auto seen = geometry::Camera::make(to.camera, to.viewport);
   if (!drawn || !seen) return std::nullopt;

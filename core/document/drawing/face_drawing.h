@@ -23,8 +23,9 @@ struct FaceLine {
 /// Lines that are read together, each a target whose reference is found: the face as somebody draws it, in one view.
 struct FaceDrawing {
   View view;
-  std::vector<FaceLine> lines;  ///< in the order of drawing
-  double time_s = 0;            ///< Document::time_s
+  std::vector<FaceLine> lines;           ///< in the order of drawing
+  geometry::ModelPoint middle{0, 0, 0};  ///< of the face: about where the lines lie in space
+  double time_s = 0;                     ///< Document::time_s
   /// The rig, the pose before the first line and the one that was read; null and empty: not known.
   std::shared_ptr<const rig::CharacterRig> rig;
   rig::Pose base, posed;
@@ -37,9 +38,14 @@ inline constexpr std::size_t k_most_face_lines = 60;
 [[nodiscard]] bool same_side(const View& a, const View& b);
 
 /// A line as it would have been drawn in another view of the same side, so that it lies over the same places of what is
-/// about `middle`. Nothing: a view that cannot be, or one that looks away from there.
+/// about `middle`. Nothing: a view that cannot be or is of another side, or one that looks away from there.
 [[nodiscard]] std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const View& from,
                                                                  const std::vector<curve::PxPoint>& line,
                                                                  const geometry::ModelPoint& middle);
+/// The same of a line of a drawing.
+[[nodiscard]] inline std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const FaceDrawing& drawing,
+                                                                        const FaceLine& line) {
+  return line_in(to, drawing.view, line.line, drawing.middle);
+}
 
 }  // namespace penpose::document

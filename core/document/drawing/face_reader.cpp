@@ -51,11 +51,10 @@ struct Lines {
 
 /// Lines as another view of the same side shows them. What is said to be a feature that the model does not have is
 /// found.
-std::optional<Lines> lines_in(const View& view, const FaceDrawing& drawing, const geometry::ModelPoint& middle,
-                              const std::vector<std::string>& names) {
+std::optional<Lines> lines_in(const View& view, const FaceDrawing& drawing, const std::vector<std::string>& names) {
   Lines out;
   for (const FaceLine& one : drawing.lines) {
-    auto line = line_in(view, drawing.view, one.line, middle);
+    auto line = line_in(view, drawing, one);
     if (!line) return std::nullopt;
     out.lines.push_back(std::move(*line));
     portrait::GivenLabel given;
@@ -120,12 +119,11 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
   const auto face = seen(document, *known, drawing.view, whole);
   if (!face) return face.error();
   const auto names = names_of(*known);
-  const geometry::ModelPoint about = middle(document);
-  auto lines = lines_in(drawing.view, drawing, about, names);
+  auto lines = lines_in(drawing.view, drawing, names);
   if (!lines) return base::Error{"the drawing cannot be seen in this view", "view", "look at the face"};
   portrait::Drawing asked{std::move(lines->lines), {}, true, std::move(lines->given), {}};
-  if (document.neutral && same_side(document.neutral->view, drawing.view)) {
-    if (auto neutral = lines_in(drawing.view, *document.neutral, about, names)) {
+  if (document.neutral) {
+    if (auto neutral = lines_in(drawing.view, *document.neutral, names)) {
       asked.neutral = std::move(neutral->lines);
       asked.given_neutral = std::move(neutral->given);
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "ui/app/canvas/canvas.h"
+#include "ui/app/face/feature_words.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
@@ -10,9 +11,61 @@
 
 namespace penpose::app {
 
+namespace {
+
+/// Where a menu of so many rows is, beside what was touched.
+Area menu_area(const PanelContext& context, const Canvas& canvas, PxPoint at, double wide, double rows) {
+  const double height =
+      rows * (static_cast<double>(context.unit) + static_cast<double>(ImGui::GetStyle().ItemSpacing.y)) +
+      static_cast<double>(context.gap);
+  const Area free = canvas.free_area();
+  const double left =
+      std::clamp(at.x + static_cast<double>(context.unit), free.left, std::max(free.left, free.right - wide));
+  const double top = std::clamp(at.y, free.top, std::max(free.top, free.bottom - height));
+  return {left, top, left + wide, top + height};
+}
+
+/// What a line of the face may be.
+void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas& canvas, PanelState& panels,
+                    const document::FaceLine& line, PxPoint at) {
+  const std::vector<std::string> names = editing.features();
+  const document::CurveId id = line.id;
+  const std::string feature = line.feature;
+  const float width = 4.2F * context.unit;
+  const double wide = 2 * static_cast<double>(width) + 3 * static_cast<double>(context.gap);
+  const std::size_t rows = (names.size() + 1) / 2 + 2;
+  std::optional<document::Command> chosen;
+  if (begin_panel(context, "line", menu_area(context, canvas, at, wide, static_cast<double>(rows)), true)) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (i % 2 == 1) ImGui::SameLine();
+      const std::string label = feature_words(names[i]) + "##face";
+      if (wide_button(context, label.c_str(), width, names[i] == feature, "This line is that"))
+        chosen = document::NameFaceLine{id, names[i], false};
+    }
+    if (wide_button(context, "Nothing of these##face", width, feature.empty(), "The line moves nothing"))
+      chosen = document::NameFaceLine{id, {}, true};
+    ImGui::SameLine();
+    if (wide_button(context, "Find again##face", width, false, "What it is, is found from all lines"))
+      chosen = document::NameFaceLine{id, {}, false};
+    if (wide_button(context, "Delete##face", width, false, "Take the line away")) chosen = document::DeleteCurve{id};
+    ImGui::SameLine();
+    if (wide_button(context, "Close##face", width)) panels.curve_menu.reset();
+  }
+  end_panel();
+  if (!chosen) return;
+  editing.perform(*chosen);
+  panels.curve_menu.reset();
+}
+
+}  // namespace
+
 void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
                      PanelState& panels) {
   const auto chosen = panels.curve_menu;
+  if (const auto* line = chosen ? document::find_face_line(editing.document(), chosen->first) : nullptr) {
+    show_face_menu(context, editing, canvas, panels, *line, chosen->second);
+    return;
+  }
   const auto* curve = chosen ? document::find_curve(editing.document(), chosen->first) : nullptr;
   if (curve == nullptr || editing.editor().tool().kind != drawing::ToolKind::none) {
     panels.curve_menu.reset();
@@ -21,15 +74,11 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
   const bool reference = curve->role == document::PoseCurveRole::reference;
   const float width = 3 * context.unit;
   const double rows = 1 + (reference ? 1 : 0) + (curve->target ? 1 : 0);
-  const double height = rows * (context.unit + static_cast<double>(ImGui::GetStyle().ItemSpacing.y)) + context.gap;
-  const double wide = static_cast<double>(width) + 2 * context.gap;
-  const Area free = canvas.free_area();
-  const double left = std::clamp(chosen->second.x + context.unit, free.left, std::max(free.left, free.right - wide));
-  const double top = std::clamp(chosen->second.y, free.top, std::max(free.top, free.bottom - height));
+  const Area area = menu_area(context, canvas, chosen->second, static_cast<double>(width) + 2 * context.gap, rows);
   const document::CurveId id = curve->id;
   const bool target = curve->target.has_value();
   bool done = false;
-  if (begin_panel(context, "curve", {left, top, left + wide, top + height})) {
+  if (begin_panel(context, "curve", area)) {
     if (target && wide_button(context, "Redraw##curve", -1, false, "Draw over a part of this target")) {
       drawing::Tool tool;
       tool.kind = drawing::ToolKind::oversketch;

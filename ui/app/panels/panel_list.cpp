@@ -19,6 +19,7 @@ void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
+void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&);
@@ -58,6 +59,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::tour, show<show_tour>},
     PanelRow{PanelPlace::canvas, show<show_backdrop>},
     PanelRow{PanelPlace::canvas, show<show_axes>},
+    PanelRow{PanelPlace::canvas, show<show_face_labels>},
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},
     PanelRow{PanelPlace::canvas, show<show_readings>},

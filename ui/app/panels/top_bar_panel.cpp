@@ -68,7 +68,7 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
   }
   rule(context);
   actions({Action::set_front, Action::history, Action::library, Action::flip_pose, Action::copy_to_right,
-           Action::copy_to_left});
+           Action::copy_to_left, Action::neutral});
   ImGui::EndGroup();
   ImGui::SameLine();
   ImGui::BeginGroup();

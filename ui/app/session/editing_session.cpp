@@ -18,7 +18,9 @@ bool solves(const replay::SessionLine& line) {
          std::holds_alternative<document::DrawTarget>(performed->command) ||
          std::holds_alternative<document::PullTarget>(performed->command) ||
          std::holds_alternative<document::SolvePose>(performed->command) ||
-         std::holds_alternative<document::TakeReading>(performed->command);
+         std::holds_alternative<document::TakeReading>(performed->command) ||
+         std::holds_alternative<document::DrawFaceLine>(performed->command) ||
+         std::holds_alternative<document::NameFaceLine>(performed->command);
 }
 
 /// The curve that has another target than before; null: none.

@@ -44,6 +44,16 @@ class EditingSession {
   [[nodiscard]] document::DocumentState state() { return live_->session().editor().state(); }
   [[nodiscard]] bool pen_is_drawing() const { return session().pens().current() != nullptr; }
 
+  /// Microseconds since the session began.
+  [[nodiscard]] std::int64_t now_us() const { return now(); }
+  /// The document as a command would make it, which changes nothing. Errors: those of the command.
+  [[nodiscard]] base::Result<document::Document> after(const document::Command& command) {
+    return live_->session().editor().after(command);
+  }
+
+  /// The features of the document's face, by name, from the brows down as they were found; empty: none.
+  [[nodiscard]] std::vector<std::string> features() { return live_->session().editor().features(); }
+
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);
   /// The same as a part of what was performed before it: one step of undo takes back both.

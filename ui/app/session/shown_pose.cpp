@@ -11,7 +11,7 @@ bool sketches(const drawing::Tool& tool) { return window_tool(tool.kind).preview
 
 const rig::Pose& ShownPose::pose() const {
   const rig::Pose& posed = editing_.document().pose;
-  if (follow_.active()) return staged_ ? *staged_ : pen_pose();
+  if (followed() != nullptr) return staged_ ? *staged_ : pen_pose();
   if (preview_ && preview_->size() == posed.size() && !sketch_.model()) return *preview_;
   if (sketch_.pose()) return *sketch_.pose();
   return posed;
@@ -42,10 +42,11 @@ void ShownPose::follow_pen() {
   if (still_) return;
   follow_stroke();
   mirrored_.reset();
-  if (!editing_.habits().mirrors || !follow_.active()) return;
+  const rig::Pose* followed_pose = followed();
+  if (!editing_.habits().mirrors || followed_pose == nullptr) return;
   const document::Document& document = editing_.document();
   mirrored_ = on_both_sides(document.model->rig->parameters(), editing_.two_sided_pairs(), document.pose,
-                            follow_.pose(), document::weight_count(*document.model));
+                            *followed_pose, document::weight_count(*document.model));
 }
 
 void ShownPose::follow_stroke() {
@@ -67,7 +68,10 @@ void ShownPose::follow_stroke() {
   }
   const replay::DrawnStroke* stroke = editing_.session().pens().current();
   if (stroke == nullptr || !stroke->on_canvas || stroke->eraser) {
-    if (stroke == nullptr) follow_.end();
+    if (stroke == nullptr) {
+      follow_.end();
+      face_.end();
+    }
     if (sketches(tool)) sketch_.show(document, tool);
     return;
   }
@@ -78,6 +82,10 @@ void ShownPose::follow_stroke() {
     follow_.begin(document, tool, stroke->view, stroke->samples);
   }
   if (!staged_ && stroke->samples.size() == followed_) return;
+  if (tool.kind == drawing::ToolKind::draw && !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
+    if (face_.follow(stroke->view, curve::positions_of(stroke->samples))) followed_ = stroke->samples.size();
+    return;
+  }
   followed_ = stroke->samples.size();
   follow_.follow(stroke->samples);
   if (sketches(tool)) sketch_.follow(document, tool, stroke->view, stroke->samples);
@@ -87,6 +95,7 @@ const intent::WholeModel& ShownPose::whole_model() { return follow_.whole_of(edi
 
 void ShownPose::end_stroke() {
   follow_.end();
+  face_.end();
   sketch_.stroke_ended();
   stroke_seen_ = false;
   mirrored_.reset();
@@ -94,6 +103,7 @@ void ShownPose::end_stroke() {
 
 void ShownPose::forget() {
   follow_.end();
+  face_.end();
   sketch_.end();
   preview_.reset();
   staged_.reset();

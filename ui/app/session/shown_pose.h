@@ -5,6 +5,7 @@
 
 #include "core/drawing/editor.h"
 #include "replay/session/pen_input.h"
+#include "ui/app/face/face_follow.h"
 #include "ui/app/session/live_follow.h"
 #include "ui/app/session/sketch_preview.h"
 
@@ -16,7 +17,7 @@ class EditingSession;
 /// timeline shows, and the control that is being sketched.
 class ShownPose {
  public:
-  explicit ShownPose(EditingSession& editing) : editing_(editing) {}
+  explicit ShownPose(EditingSession& editing) : editing_(editing), face_(editing) {}
 
   [[nodiscard]] const rig::Pose& pose() const;
   /// The document's model, or the one with the control that is being drawn.
@@ -35,11 +36,13 @@ class ShownPose {
   void follow_pen();
   /// The pose stays as it is shown while the pen goes on; it is brought up with the next call after that.
   void hold_still(bool on) { still_ = on; }
-  /// The pose that follows the pen. Precondition: live() is active.
-  [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : follow_.pose(); }
+  /// The pose that follows the pen. Precondition: live() or face() is active.
+  [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : *followed(); }
   /// Shows a pose in place of the one that follows the pen, as long as one does.
   void stage(std::optional<rig::Pose> pose) { staged_ = std::move(pose); }
   [[nodiscard]] const LiveFollow& live() const { return follow_; }
+  /// A line of the face under the pen.
+  [[nodiscard]] const FaceFollow& face() const { return face_; }
   /// Measures once for a rig what its controls do to the whole model.
   [[nodiscard]] const intent::WholeModel& whole_model();
 
@@ -53,6 +56,10 @@ class ShownPose {
 
  private:
   void follow_stroke();
+  /// The pose that follows the pen, as it was read; null: none does.
+  [[nodiscard]] const rig::Pose* followed() const {
+    return follow_.active() ? &follow_.pose() : face_.active() ? &face_.pose() : nullptr;
+  }
 
   EditingSession& editing_;
   bool still_ = false;
@@ -60,6 +67,7 @@ class ShownPose {
   std::optional<rig::Pose> staged_;
   std::optional<rig::Pose> mirrored_;  ///< of the pose that follows the pen
   LiveFollow follow_;
+  FaceFollow face_;
   SketchPreview sketch_;
   bool stroke_seen_ = false;
   std::optional<document::CurveId> held_;

@@ -6,6 +6,7 @@
 namespace penpose::app {
 
 // Each stands in a file of this folder. A new one is that file, a line here and a row below.
+WindowTool draw_tool();
 WindowTool pose_tool();
 WindowTool oversketch_tool();
 WindowTool constraint_tool();
@@ -18,8 +19,8 @@ WindowTool between_tool();
 
 std::span<const WindowTool> window_tools() {
   static const std::array all{
-      pose_tool(),   oversketch_tool(), constraint_tool(), pin_tool(),     erase_tool(),
-      select_tool(), articulate_tool(), redraw_tool(),     between_tool(),
+      draw_tool(),  pose_tool(),   oversketch_tool(), constraint_tool(), pin_tool(),
+      erase_tool(), select_tool(), articulate_tool(), redraw_tool(),     between_tool(),
   };
   return all;
 }
@@ -27,7 +28,7 @@ std::span<const WindowTool> window_tools() {
 const WindowTool& window_tool(drawing::ToolKind kind) {
   const auto tools = window_tools();
   const auto found = std::find_if(tools.begin(), tools.end(), [&](const WindowTool& one) { return one.kind == kind; });
-  return found == tools.end() ? tools.front() : *found;
+  return found == tools.end() ? window_tool(drawing::ToolKind::pose) : *found;
 }
 
 }  // namespace penpose::app

@@ -55,7 +55,9 @@ std::string outcome_of(const EditingSession& editing) {
   if (const std::string said = editing.last_stroke().text(); !said.empty()) return said;
   const auto& movements = editing.last_stroke().movements();
   const bool nothing_moved = movements.empty() && editing.last_stroke().is_newest();
-  if ((movements.empty() && !nothing_moved) || editing.document().curves.empty() ||
+  const auto& face = editing.document().face;
+  const bool drawn = !editing.document().curves.empty() || face;
+  if ((movements.empty() && !nothing_moved) || !drawn ||
       editing.editor().tool().kind == drawing::ToolKind::articulate) {
     return {};
   }

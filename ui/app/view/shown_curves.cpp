@@ -149,6 +149,23 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editi
   }
 }
 
+/// The lines of the face as it should be, where this view shows them.
+void add_face_lines(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  const auto& face = editing.document().face;
+  if (!face || face->time_s != editing.document().time_s) return;
+  for (const document::FaceLine& line : face->lines) {
+    auto seen = document::line_in(editing.editor().view(), *face, line);
+    if (!seen) continue;
+    CurveDrawing drawing;
+    drawing.points_px = std::move(*seen);
+    drawing.kind = CurveKind::target;
+    drawing.width_px = 3 * look.scale;
+    drawing.highlighted = look.highlighted == line.id;
+    if (line.feature.empty()) drawing.color = render::from_srgb(0xd08a2a);
+    out.push_back(std::move(drawing));
+  }
+}
+
 /// The curves of the sketch so far: the lassos in px of the view in which they were drawn, the reference as it is found
 /// by itself or was drawn, from wherever one looks.
 void add_sketch(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
@@ -305,6 +322,7 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
     add_outline(out, editing, look);
     add_sketch(out, editing, look);
   } else {
+    add_face_lines(out, editing, look);
     add_pose_curves(out, editing, surface, look);
   }
   add_deformer(out, editing, look);
@@ -335,6 +353,12 @@ std::optional<document::CurveId> curve_near(const EditingSession& editing, const
   };
   for (const auto& curve : editing.document().curves) {
     if ((curve->target && near(curve->target->points)) || near(points_now(*curve, surface))) found = curve->id;
+  }
+  if (const auto& face = editing.document().face; face && face->time_s == editing.document().time_s) {
+    for (const document::FaceLine& line : face->lines) {
+      const auto seen = document::line_in(view, *face, line);
+      if (seen && document::come_near(*seen, pen, within_px)) found = line.id;
+    }
   }
   return found;
 }

@@ -14,7 +14,8 @@ std::string message_of_stroke(const base::Error& error, const drawing::Tool& too
   if (error.place != "line" && error.place != "at" && error.place != "role" && !error.place.empty())
     return message_of(error);
   const WindowTool& window = window_tool(tool.kind);
-  return k_nothing_changed + (window.to_draw != nullptr ? window : window_tools().front()).to_draw({before, tool});
+  return k_nothing_changed +
+         (window.to_draw != nullptr ? window : window_tool(drawing::ToolKind::pose)).to_draw({before, tool});
 }
 
 }  // namespace penpose::app

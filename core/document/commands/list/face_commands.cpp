@@ -40,6 +40,15 @@ Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& wor
   return changed;
 }
 
+std::vector<std::string> features_of(const Document& document, ApplyWorkspace& work) {
+  Parts& parts = work.parts();
+  const auto& features = parts.face.features(document, parts.whole_of(document));
+  std::vector<std::string> names;
+  if (!features) return names;
+  for (const portrait::FeatureCurve& curve : features->curves) names.push_back(curve.name);
+  return names;
+}
+
 Changed run(const Document& document, const DrawFaceLine& command, Parts& work) {
   if (const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport); !camera)
     return at("view", camera.error());
@@ -51,10 +60,11 @@ Changed run(const Document& document, const DrawFaceLine& command, Parts& work) 
   FaceDrawing drawing;
   drawing.view = command.view;
   drawing.time_s = document.time_s;
+  drawing.middle = work.face.middle(document);
   std::vector<PxPoint> line = command.line;
   if (goes_on(document, command.view)) {
     drawing = *document.face;
-    auto there = line_in(drawing.view, command.view, line, work.face.middle(document));
+    auto there = line_in(drawing.view, command.view, line, drawing.middle);
     if (!there) return base::Error{"the line cannot be seen in this view", "view", "look at the face"};
     line = std::move(*there);
   }

@@ -322,12 +322,9 @@ Changed run(const Document& document, const EraseCurves& command, Parts& work) {
   });
   if (document.face) {
     FaceDrawing drawing = *document.face;
-    const geometry::ModelPoint middle = work.face.features(document, work.whole_of(document))
-                                            ? work.face.middle(document)
-                                            : rest_world_box(*document.model).center();
     std::erase_if(drawing.lines, [&](const FaceLine& line) {
-      const auto there = line_in(command.view, drawing.view, line.line, middle);
-      return there && same_side(command.view, drawing.view) && come_near(*there, command.line, near);
+      const auto there = line_in(command.view, drawing, line);
+      return there && come_near(*there, command.line, near);
     });
     if (drawing.lines.size() != document.face->lines.size()) return with_face_read(changed, std::move(drawing), work);
   }

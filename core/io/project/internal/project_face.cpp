@@ -52,6 +52,11 @@ Problem read_face(const json::Json& project, const char* name, const std::string
   if (!seconds || !(*seconds >= 0 && *seconds <= document::k_latest_key_s))
     return project_error("a moment was expected", json::child(here, "time_s"));
   face.time_s = *seconds;
+  const json::Json* middle = json::find(*value, "middle");
+  std::vector<double> row;
+  if (middle == nullptr) return project_error("a place was expected", json::child(here, "middle"));
+  if (auto problem = read_row(*middle, json::child(here, "middle"), 3, row)) return problem;
+  face.middle = {row[0], row[1], row[2]};
   const json::Json* lines = json::find(*value, "lines");
   const std::string list = json::child(here, "lines");
   if (lines == nullptr || !lines->is_array() || lines->empty() || lines->size() > document::k_most_face_lines)
@@ -86,7 +91,10 @@ json::Json face_to_json(const FaceDrawing& face) {
     if (line.said) one["said"] = *line.said;
     lines.push_back(std::move(one));
   }
-  return {{"view", document::to_text(face.view)}, {"time_s", face.time_s}, {"lines", std::move(lines)}};
+  return {{"view", document::to_text(face.view)},
+          {"middle", {face.middle.x, face.middle.y, face.middle.z}},
+          {"time_s", face.time_s},
+          {"lines", std::move(lines)}};
 }
 
 }  // namespace penpose::io

@@ -64,6 +64,9 @@ std::vector<Command> full_commands() {
           DeleteCorrection{k_strange},
           PlaceCurve{{{3, {0.25, 0.5, 0.25}}, {0, {1, 0, 0}}}, true},
           PlaceTarget{CurveId{4}, {{0.1, -2, 1e-9}, {1, 2, 3}}},
+          DrawFaceLine{{view, some_line()}},
+          NameFaceLine{CurveId{4294967295U}, k_strange, true},
+          SetNeutral{false},
           KeyPoses{{"jawOpen", k_strange}, {0, 1.0 / 24}, {0.5, 1e-9, 1, -2}}};
 }
 

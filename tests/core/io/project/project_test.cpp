@@ -42,10 +42,15 @@ DocumentHand full_hand() {
   hand.does(DrawReference{hand.view, hand.line(-0.5, 0.5, 0.5, 0.5)});
   hand.does(NameCurve{CurveId{1}, "brow \xc3\xa9"});
   hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.5, 0.6, 0.5, 0.6), std::vector<double>(21, 0.3)});
+  hand.does(DrawFaceLine{{hand.view, hand.line(-0.5, 0.45, 0.5, 0.45)}});
+  hand.does(SetNeutral{});
+  hand.does(DrawFaceLine{{hand.view, hand.line(-0.5, 0.55, 0.5, 0.55)}});
+  hand.does(DrawFaceLine{{hand.view, hand.line(-0.5, -0.55, 0.5, -0.65)}});
+  hand.does(NameFaceLine{CurveId{hand.document().last_curve}, {}, true});
   hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5)});
   hand.does(DrawConstraint{hand.view, hand.line(-0.5, 0, 0.5, 0.1)});
   hand.does(Pin{hand.view, hand.seen(0, -0.8)});
-  hand.does(DeleteCurve{CurveId{2}});
+  hand.does(DeleteCurve{CurveId{5}});
   hand.does(SetKey{0.1, ""});
   hand.does(SetParameters{{{"lift", 0.9}, {"up", 0.5}, {"base.ry", -0.3}}});
   hand.does(SetKey{2, "smile \"x\""});

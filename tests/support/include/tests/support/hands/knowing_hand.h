@@ -43,9 +43,9 @@ class KnowingHand {
   }
 
   /// The kinds of strokes, tools in the order of drawing::ToolKind; `none` draws nothing.
-  static constexpr std::array<std::string_view, 13> k_kinds{
+  static constexpr std::array<std::string_view, 14> k_kinds{
       "pose",   "reference", "target", "oversketch", "constraint", "pin",    "articulate",
-      "redraw", "erase",     "none",   "between",    "mirror",     "perform"};
+      "redraw", "erase",     "none",   "between",    "draw",       "mirror", "perform"};
   /// Those that did something so far.
   [[nodiscard]] const std::set<std::string>& drawn_kinds() const { return drawn_; }
 
@@ -264,6 +264,27 @@ class KnowingHand {
     return place;
   }
 
+  /// On a model that names no curve, lines of a face are references and targets.
+  document::Command make(Tag<document::DrawFaceLine>) {
+    name_a_feature();
+    return document::DrawFaceLine{{view(), hand_.line()}};
+  }
+  document::Command make(Tag<document::NameFaceLine>) {
+    if (!doc().face) draw_a_face();
+    document::NameFaceLine command{doc().face ? any(doc().face->lines).id : document::CurveId{1}, {}, false};
+    const auto& named = doc().model->curves;
+    if (random_.chance(0.3)) {
+      command.nothing = true;
+    } else if (!named.empty() && random_.chance(0.7)) {
+      command.feature = any(named).name;
+    }
+    return command;
+  }
+  document::Command make(Tag<document::SetNeutral>) {
+    if (!doc().face) draw_a_face();
+    return document::SetNeutral{random_.chance(0.8) || !doc().neutral};
+  }
+
   document::Command make(Tag<document::KeyPoses>) {
     document::KeyPoses keys;
     const auto parameters = doc().model->rig->parameters();
@@ -295,6 +316,7 @@ class KnowingHand {
       tool.value = random_.real(0.2, 0.8);
     }
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
+    if (tool.kind == Kind::draw) name_a_feature();
     const bool along = tool.kind == Kind::erase || tool.kind == Kind::oversketch;
     auto line = along || random_.chance(0.3) ? along_target() : hand_.line();
     if (tool.kind == Kind::articulate && drawing::next_step(doc(), tool) != articulation::CurveRole::target) {
@@ -310,6 +332,15 @@ class KnowingHand {
     static_cast<void>(script_.perform(document::DrawReference{view(), hand_.line()}));
     const document::CurveId id{doc().last_curve};
     static_cast<void>(script_.perform(document::DrawTarget{id, view(), hand_.line(), {}}));
+  }
+  void name_a_feature() {
+    if (!doc().model->curves.empty()) return;
+    static_cast<void>(script_.perform(document::DrawReference{view(), hand_.line()}));
+    static_cast<void>(script_.perform(document::NameCurve{document::CurveId{doc().last_curve}, "lip"}));
+  }
+  void draw_a_face() {
+    name_a_feature();
+    static_cast<void>(script_.perform(document::DrawFaceLine{{view(), hand_.line()}}));
   }
   /// A control in as few strokes as may be.
   void sketch_control() {
@@ -385,7 +416,7 @@ class KnowingHand {
       "place_curve",       "place_target",       "key_poses",
       "take_reading",
   };
-  static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::between) + 1;
+  static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;
   bool pressed_ = false;
