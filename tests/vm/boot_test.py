@@ -90,7 +90,7 @@ def run_machine(options):
     disk.add(os.path.join(options.tools, 'virtual_tablet'), '/usr/bin/virtual_tablet')
     disk.put('/traces/drawn.hid', trace())
     for home in ('/root', '/home/penpose'):
-        disk.put(home + '/.config/penpose/settings', 'steps_seen=1\n')
+        disk.put(home + '/.config/penpose/settings', 'steps_seen=1\npose_first=1\n')
     boards = disk.install(options.build)
     (disk.start_by_systemd if options.init == 'systemd' else disk.start_by_busybox)(boards)
     with open(os.path.join(machine.HERE, 'guest/boot.sh'), encoding='utf-8') as f:

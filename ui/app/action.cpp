@@ -66,7 +66,16 @@ std::string tooltip_of(Action action) {
 
 void Actions::run(Action action) {
   const ActionInfo& one = info(action);
-  if (one.tool != nullptr) return app_.of<ToolInHand>().take(*one.tool);
+  if (one.tool != nullptr) {
+    app_.of<ToolInHand>().take(*one.tool);
+    auto& preferences = app_.of<Preferences>();
+    const bool pose = one.tool->kind == drawing::ToolKind::pose;
+    if ((pose || one.tool->kind == drawing::ToolKind::draw) && preferences.settings().pose_first != pose) {
+      preferences.settings().pose_first = pose;
+      preferences.changed();
+    }
+    return;
+  }
   one.run(app_);
 }
 

@@ -64,6 +64,8 @@ void take(Settings& settings, std::string_view name, std::string_view value) {
     settings.light = value == "1";
   } else if (name == "steps_seen") {
     settings.steps_seen = value == "1";
+  } else if (name == "pose_first") {
+    settings.pose_first = value == "1";
   } else if (name == "density") {
     take_one(settings.density, value, 3);
   } else if (name == "stabiliser") {
@@ -113,6 +115,7 @@ std::string to_text(const Settings& settings) {
   std::string text = "scale=" + base::format_double(settings.scale) + "\n";
   text += "light=" + flag(settings.light);
   text += "steps_seen=" + flag(settings.steps_seen);
+  text += "pose_first=" + flag(settings.pose_first);
   text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";
   text += "stabiliser=" + std::to_string(static_cast<int>(settings.stabiliser)) + "\n";
   text += "rate=" + std::to_string(settings.rate) + "\n";

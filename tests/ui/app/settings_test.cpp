@@ -14,6 +14,7 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.scale = 1.5;
   settings.light = true;
   settings.steps_seen = true;
+  settings.pose_first = true;
   settings.tablet.left_handed = true;
   settings.radial[0] = Action::view_side;
   settings.radial[7] = Action::save_as;

@@ -4,7 +4,7 @@
 export HOME=/tmp XDG_CONFIG_HOME=/tmp/config
 export LIBGL_DRIVERS_PATH=/usr/lib/x86_64-linux-gnu/dri
 mkdir -p $XDG_CONFIG_HOME/penpose
-echo steps_seen=1 >$XDG_CONFIG_HOME/penpose/settings
+printf 'steps_seen=1\npose_first=1\n' >$XDG_CONFIG_HOME/penpose/settings
 penpose --fullscreen --session /out/drawn.session >/out/app.txt 2>&1 &
 app=$!
 devices=/sys/bus/usb/devices

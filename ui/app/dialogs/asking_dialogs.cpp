@@ -37,10 +37,12 @@ void show_recover_dialog(PanelContext& context, Recovery& recovery) {
 
 void show_steps_dialog(PanelContext& context) {
   if (begin_dialog(context, "Draw, and the face follows", 14)) {
-    ImGui::TextWrapped("1   Draw along a feature as it is: the line of the mouth, a brow, an eyelid.");
+    ImGui::TextWrapped(
+        "1   Draw the face you want over the one you see: a mouth, a brow, a lid. Each line finds its feature, and the "
+        "face follows while you draw.");
     ImGui::Dummy({1, context.gap});
     ImGui::TextWrapped(
-        "2   Draw where it should go. The face follows while you draw and settles when you lift the pen.");
+        "2   Anything else with Pose, in two lines: draw along what should move, then where it should go.");
     ImGui::Dummy({1, context.gap});
     ImGui::TextWrapped("3   Press Key to keep the pose on the timeline, and Save. Undo takes back anything.");
     ImGui::Dummy({1, context.gap});

@@ -84,6 +84,7 @@ base::Status Files::open(const std::string& path) {
     auto tour = read_tour(*name, tour_session(*name));
     if (!tour) return tour.error();
     if (const auto opened = open(tour->model); !opened) return opened;
+    parts_.editing.set_tool({});
     parts_.tour.begin(std::move(*tour));
     return base::Done{};
   }
@@ -91,6 +92,11 @@ base::Status Files::open(const std::string& path) {
   auto document = files::load_document(path, files::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
+  if (!parts_.preferences.settings().pose_first) {
+    drawing::Tool draw;
+    draw.kind = drawing::ToolKind::draw;
+    parts_.editing.set_tool(draw);
+  }
   const bool lies = files::leaves_axes_open(path) && io::looks_as_if_z_were_up(*parts_.editing.document().model);
   if (lies) parts_.notices.tell("it looks as if it lay on its back: Z up, in the menu, stands it up");
   if (!path.starts_with("builtin:")) {
@@ -154,6 +160,9 @@ base::Status Files::play_trace(const std::string& path) {
     // What is played is no work on the model's own file.
     set_project({});
     parts_.editing.act(replay::ToolChosen{});
+  } else {
+    // Pens that were recorded without a word of tools draw with the plain one.
+    parts_.editing.set_tool({});
   }
   parts_.player.trace.emplace(std::move(*player));
   parts_.player.began_us = parts_.clock();

@@ -215,7 +215,8 @@ void gather(const nlohmann::json& value, const nlohmann::json::json_pointer& at,
 TEST(ProjectJson, IsReadBackAsItIsWritten) {
   const auto document = read(full_project());
   ASSERT_TRUE(document.ok()) << document.error().line();
-  EXPECT_EQ(project_to_json(*document).dump(), full_project().dump());
+  // As values: the other library does not always write the shortest decimals.
+  EXPECT_TRUE(nlohmann::json::parse(project_to_json(*document).dump()) == full_project());
 }
 
 TEST(ProjectJson, WhateverIsMissingOrOfAnotherTypeIsToldWithItsPlace) {

@@ -20,7 +20,7 @@ def with_settings(folder, bindings):
     settings = os.path.join(folder, ".config", "penpose", "settings")
     os.makedirs(os.path.dirname(settings), exist_ok=True)
     with open(settings, "w") as file:
-        file.write("steps_seen=1\n" + "".join(f"pad=056a:0314|{key}|{done}\n" for key, done in bindings.items()))
+        file.write("steps_seen=1\npose_first=1\n" + "".join(f"pad=056a:0314|{key}|{done}\n" for key, done in bindings.items()))
 
 
 def other_hand(program, screen, folder):

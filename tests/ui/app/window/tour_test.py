@@ -182,7 +182,7 @@ def run(program, pictures, width, height, light, tours):
     try:
         os.makedirs(os.path.join(folder, ".config/penpose"))
         with open(os.path.join(folder, ".config/penpose/settings"), "w") as file:
-            file.write(f"light={1 if light else 0}\n")
+            file.write(f"light={1 if light else 0}\npose_first=1\n")
         sessions = os.path.join(folder, ".local/state/penpose/sessions")
         process = subprocess.Popen([program], env=screen.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                    text=True)

@@ -57,9 +57,18 @@ def write_png(source, path):
         file.write(chunk(b"IDAT", zlib.compress(bytes(rows), 1)) + chunk(b"IEND", b""))
 
 
+def begin_with_pose(home):
+    """Whoever took Pose last finds it again; a newcomer has Draw in hand."""
+    settings = os.path.join(home, ".config", "penpose", "settings")
+    os.makedirs(os.path.dirname(settings), exist_ok=True)
+    with open(settings, "w") as file:
+        file.write("pose_first=1\n")
+
+
 class Screen:
     def __init__(self, folder, pictures, width=WIDTH, height=HEIGHT):
         self.folder, self.pictures = folder, pictures
+        begin_with_pose(folder)
         read, write = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", folder],
@@ -311,6 +320,7 @@ def killed_twice(program, screen, folder):
     """Work comes back after a crash, and again after the next one, in one session that replays."""
     home = os.path.join(folder, "killed")
     environment = dict(screen.environment, HOME=home)
+    begin_with_pose(home)
     sessions = os.path.join(home, ".local/state/penpose/sessions")
 
     def newest():

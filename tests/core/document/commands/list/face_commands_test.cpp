@@ -57,9 +57,9 @@ const std::vector<std::pair<const char*, double>> k_smile{{"mouth_corner_L", 0.8
 
 TEST(FaceCommands, ASmileDrawnOverTheMouthIsTakenAsOneLineAtATime) {
   FaceHand hand;
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   EXPECT_NE(hand.last().feature.find("lip_upper"), std::string::npos) << hand.last().feature;
-  hand.draws("lip_lower_outer", k_smile);
+  hand.draws("lip_lower", k_smile);
   EXPECT_NE(hand.last().feature.find("lip_lower"), std::string::npos) << hand.last().feature;
   EXPECT_NEAR(hand.value("mouth_corner_L"), 0.8, 0.25);
   EXPECT_NEAR(hand.value("mouth_corner_R"), 0.8, 0.25);
@@ -69,24 +69,24 @@ TEST(FaceCommands, ASmileDrawnOverTheMouthIsTakenAsOneLineAtATime) {
 TEST(FaceCommands, WhatIsNotDrawnStaysAsItIs) {
   FaceHand hand;
   hand.does(SetParameters{{{"brow_inner_L", 0.6}}});
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   EXPECT_EQ(hand.value("brow_inner_L"), 0.6);
   // So does what is set between two lines.
   hand.does(SetParameters{{{"brow_inner_R", 0.3}}});
-  hand.draws("lip_lower_outer", k_smile);
+  hand.draws("lip_lower", k_smile);
   EXPECT_EQ(hand.value("brow_inner_L"), 0.6);
   EXPECT_EQ(hand.value("brow_inner_R"), 0.3);
 }
 
 TEST(FaceCommands, ALineIsWhatTheArtistSaysItIs) {
   FaceHand hand;
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   const CurveId id = hand.last().id;
-  hand.does(NameFaceLine{id, "lip_lower_outer", false});
-  EXPECT_EQ(hand.last().feature, "lip_lower_outer");
+  hand.does(NameFaceLine{id, "lip_lower", false});
+  EXPECT_EQ(hand.last().feature, "lip_lower");
   // It stays that while others are drawn.
   hand.draws("brow_L", {});
-  EXPECT_EQ(hand.document().face->lines.front().feature, "lip_lower_outer");
+  EXPECT_EQ(hand.document().face->lines.front().feature, "lip_lower");
   hand.does(NameFaceLine{id, {}, true});
   EXPECT_EQ(hand.document().face->lines.front().feature, "");
   EXPECT_NEAR(hand.value("mouth_corner_L"), 0.0, 0.02);
@@ -101,7 +101,7 @@ TEST(FaceCommands, ALineThatIsDeletedCountsNoMoreAndTheLastOneLeavesThePose) {
   FaceHand hand;
   hand.draws("brow_L", {{"brow_inner_L", 0.8}});
   const double brow = hand.value("brow_inner_L");
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   hand.does(DeleteCurve{hand.last().id});
   EXPECT_EQ(hand.document().face->lines.size(), 1U);
   EXPECT_NEAR(hand.value("brow_inner_L"), brow, 1e-9);
@@ -116,7 +116,7 @@ TEST(FaceCommands, ACloserLookGoesOnAndAnotherSideBeginsAnew) {
   hand.draws("brow_L", {{"brow_inner_L", 0.8}});
   const View first = hand.view;
   hand.view.camera.vertical_fov_degrees *= 0.6;
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   ASSERT_EQ(hand.document().face->lines.size(), 2U);
   EXPECT_EQ(hand.document().face->view, first);
   EXPECT_GT(hand.value("mouth_corner_L"), 0.3);
@@ -130,7 +130,7 @@ TEST(FaceCommands, ACloserLookGoesOnAndAnotherSideBeginsAnew) {
 
 TEST(FaceCommands, ADrawingBelongsToItsMoment) {
   FaceHand hand;
-  hand.draws("lip_upper_outer", k_smile);
+  hand.draws("lip_upper", k_smile);
   hand.does(SetKey{0, ""});
   hand.does(GoToTime{1});
   hand.draws("brow_L", {});
@@ -140,7 +140,7 @@ TEST(FaceCommands, ADrawingBelongsToItsMoment) {
 TEST(FaceCommands, ProportionsOfTheNeutralFaceAreNoExpression) {
   const PxPoint lower{0, 14};
   FaceHand hand;
-  const std::vector<const char*> drawn{"lip_upper_outer", "lip_lower_outer", "brow_L", "brow_R"};
+  const std::vector<const char*> drawn{"lip_upper", "lip_lower", "brow_L", "brow_R"};
   for (const char* name : drawn) hand.does(DrawFaceLine{{hand.view, hand.curve(name, {}, lower)}});
   hand.does(SetNeutral{});
   EXPECT_EQ(hand.document().face, nullptr);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
@@ -21,6 +22,11 @@ class Desk {
       : folder(folder_of(name)) {
     if (fresh) std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
+    // Most of what is tried begins with a reference.
+    if (fresh) {
+      std::filesystem::create_directories(folder / "config");
+      std::ofstream(folder / "config" / "settings") << "pose_first=1\n";
+    }
     AppOptions options;
     options.folders = {(folder / "state").string(), (folder / "config").string()};
     options.clock = [this] { return now_us; };
