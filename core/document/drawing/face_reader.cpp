@@ -148,8 +148,7 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
   const auto drawn = move_drawn(**face, read->lines);
   for (std::size_t j = 0; j < (*face)->controls().size(); ++j) {
     const std::size_t p = (*face)->controls()[j].parameter;
-    if (drawn[j] || read->shares[j] != 0.0)
-      out.pose[p] = std::clamp(posed[p], parameters[p].minimum, parameters[p].maximum);
+    if (drawn[j]) out.pose[p] = std::clamp(posed[p], parameters[p].minimum, parameters[p].maximum);
   }
   out.drawing.posed = out.pose;
   for (std::size_t i = 0; i < read->lines.size(); ++i) {

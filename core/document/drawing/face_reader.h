@@ -25,8 +25,8 @@ class FaceReader {
     rig::Pose pose;
   };
   /// The pose that a drawing of the document's model asks for. Controls that move what is drawn are read from rest;
-  /// others stay as they were before the drawing, or were set since. Errors: no features, no lines, those of
-  /// FaceView::make and read_drawing.
+  /// others, those of the other side among them, stay as they were before the drawing, or were set since. Errors: no
+  /// features, no lines, those of FaceView::make and read_drawing.
   base::Result<Read> read(const Document& document, FaceDrawing drawing, const intent::WholeModel& whole);
 
  private:

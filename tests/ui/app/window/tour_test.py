@@ -180,7 +180,7 @@ def run(program, pictures, width, height, light, tours):
     folder = tempfile.mkdtemp(prefix="penpose-tour-")
     screen = Screen(folder, pictures, width, height)
     try:
-        os.makedirs(os.path.join(folder, ".config/penpose"))
+        os.makedirs(os.path.join(folder, ".config/penpose"), exist_ok=True)
         with open(os.path.join(folder, ".config/penpose/settings"), "w") as file:
             file.write(f"light={1 if light else 0}\npose_first=1\n")
         sessions = os.path.join(folder, ".local/state/penpose/sessions")

@@ -248,11 +248,11 @@ def pen_alone(program, screen, folder, session):
     head = [line for line in open(session) if line[:2] in ("R:", "N:", "I:", "D:")]
     pen = PenTrace(head)
     pen.hold(640, 400, False, 1)
-    pen.tap(640, 574)  # Begin
-    pen.tap(50, 328)  # Rig
+    pen.tap(640, 582)  # Begin
+    pen.tap(50, 369)  # Rig
     for line in (GENERAL, SPECIFIC, RAISED):
         pen.stroke(line)
-    pen.tap(50, 70)  # Pose
+    pen.tap(50, 111)  # Pose
     for line in (MOUTH, SMILE):
         pen.stroke(line)
     pen.tap(459, 694)  # Key

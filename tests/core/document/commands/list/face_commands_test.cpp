@@ -78,6 +78,13 @@ TEST(FaceCommands, WhatIsNotDrawnStaysAsItIs) {
   EXPECT_EQ(hand.value("brow_inner_R"), 0.3);
 }
 
+TEST(FaceCommands, ALineOfOneSideLeavesTheOtherSideAlone) {
+  FaceHand hand;
+  hand.draws("brow_R", {{"brow_inner_R", 0.8}, {"brow_outer_R", 0.8}});
+  EXPECT_NEAR(hand.value("brow_inner_R"), 0.8, 0.3);
+  for (const char* name : {"brow_inner_L", "brow_outer_L"}) EXPECT_EQ(hand.value(name), 0.0) << name;
+}
+
 TEST(FaceCommands, ALineIsWhatTheArtistSaysItIs) {
   FaceHand hand;
   hand.draws("lip_upper", k_smile);

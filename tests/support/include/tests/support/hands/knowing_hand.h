@@ -414,7 +414,8 @@ class KnowingHand {
       "delete_correction", "take_region",        "draw_between",
       "delete_between",    "pull_between",       "pull_target",
       "place_curve",       "place_target",       "key_poses",
-      "take_reading",
+      "take_reading",      "draw_face_line",     "name_face_line",
+      "set_neutral",
   };
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
   std::set<std::string> drawn_;
