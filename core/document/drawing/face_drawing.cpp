@@ -7,7 +7,7 @@ namespace penpose::document {
 bool same_side(const View& a, const View& b) {
   constexpr double k_cosine = 0.97;  // 14 degrees
   const geometry::ModelVector one = a.camera.look_at - a.camera.eye, other = b.camera.look_at - b.camera.eye;
-  return glm::dot(one, other) > k_cosine * glm::length(one) * glm::length(other);
+  return glm::dot(one, other) > k_cosine * geometry::length(one) * geometry::length(other);
 }
 
 std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const View& from,

@@ -19,8 +19,8 @@ struct FeatureCurves {
 };
 
 /// Those of a file where there are any (`named`); else those that the model names, and what they leave open: those of a
-/// head that is known, and those found from the shape of the face and what its controls move. Errors (place: the curve): a vertex that the
-/// model does not have; nothing was found.
+/// head that is known, and those found from the shape of the face and what its controls move. Errors (place: the
+/// curve): a vertex that the model does not have; nothing was found.
 [[nodiscard]] base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::WholeModel& whole,
                                                             const std::vector<VertexCurve>& named);
 

@@ -164,10 +164,10 @@ TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
   desk.app->of<Dialogs>().show(Dialog::radial);
   desk.frames();
   desk.click("Redo##place1");
-  desk.click("Front##choose");
+  desk.click("Draw##choose");
   desk.click("Done");
-  EXPECT_EQ(desk.app->of<Preferences>().settings().radial[1], Action::view_front);
-  EXPECT_EQ(load_settings(desk.path("config")).radial[1], Action::view_front) << "it is kept";
+  EXPECT_EQ(desk.app->of<Preferences>().settings().radial[1], Action::tool_draw);
+  EXPECT_EQ(load_settings(desk.path("config")).radial[1], Action::tool_draw) << "it is kept";
 }
 
 TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {

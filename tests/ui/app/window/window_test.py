@@ -289,6 +289,30 @@ def pen_alone(program, screen, folder, session):
     print(output, end="")
 
 
+def drawn_face(program, screen, folder):
+    """A newcomer draws a mouth: the face takes it, with one line."""
+    home = os.path.join(folder, "newcomer")
+    os.mkdir(home)
+    session = os.path.join(folder, "face.session")
+    before = screen.environment
+    screen.environment = dict(before, HOME=home)
+    process = start(program, screen, session)
+    screen.key("Escape")
+    screen.key("1")
+    screen.stroke(SMILE)
+    screen.picture("10_drawn_face")
+    screen.key("ctrl+q")
+    time.sleep(0.5)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=20) == 0, process.stdout.read()
+    screen.environment = before
+    replayed = json.loads(subprocess.run([program, "replay", session, "--json"], env=screen.environment, check=True,
+                                         stdout=subprocess.PIPE, text=True).stdout)
+    assert replayed["differing"] == 0 and replayed["curves"] == 0, replayed
+    moved = {name: value for name, value in replayed["parameters"].items() if abs(value) > 0.05}
+    assert any("mouth" in name or "lip" in name for name in moved), moved
+
+
 def asked_to_end(program, screen, folder):
     """A signal ends the program as a user would, without a question, and the session holds everything."""
     session = os.path.join(folder, "ended.session")
@@ -406,6 +430,7 @@ def main():
             assert f"drawn_by {sys.argv[3]}\n" in told, told
         else:
             pen_alone(program, screen, folder, session)
+            drawn_face(program, screen, folder)
             asked_to_end(program, screen, folder)
             crash(program, screen, folder)
             killed_twice(program, screen, folder)

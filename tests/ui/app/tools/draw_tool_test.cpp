@@ -1,0 +1,113 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/rig/rig.h"
+#include "tests/support/app_desk.h"
+#include "ui/app/face/feature_words.h"
+
+// The tool Draw: a face drawn over the built-in head, with names beside its lines.
+
+namespace penpose::app {
+namespace {
+
+double value(const Desk& desk, const char* name) {
+  return desk.document().pose[rig::find_parameter(desk.document().model->rig->parameters(), name).value()];
+}
+
+/// A brow of the view drawn higher.
+void raise_brow(Desk& desk) {
+  desk.begin();
+  desk.click("Draw");
+  desk.stroke(desk.named_curve("brow_L", {0, -14}));
+}
+
+TEST(DrawTool, IsInANewcomersHandAndTheOneTakenLastIsFoundAgain) {
+  {
+    Desk desk("draw-first");
+    desk.begin();
+    EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::pose) << "as it was chosen";
+    desk.click("Draw");
+  }
+  {
+    Desk desk("draw-first", "builtin:demo", false);
+    desk.begin();
+    EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::draw);
+  }
+  EXPECT_FALSE(Settings{}.pose_first);
+}
+
+TEST(DrawTool, ALineMovesItsFeatureAndIsNamedBesideIt) {
+  Desk desk("draw-line");
+  raise_brow(desk);
+  ASSERT_NE(desk.document().face, nullptr);
+  EXPECT_EQ(desk.document().face->lines.front().feature, "brow_L");
+  EXPECT_GT(value(desk, "brow_inner_L") + value(desk, "brow_outer_L"), 0.3);
+  EXPECT_NE(desk.interface->find("line 1"), nullptr);
+  desk.app->of<EditingSession>().steps().undo();
+  desk.frames();
+  EXPECT_EQ(desk.document().face, nullptr);
+  EXPECT_EQ(desk.interface->find("line 1"), nullptr);
+}
+
+TEST(DrawTool, TheFaceFollowsWhileALineIsDrawn) {
+  Desk desk("draw-live");
+  desk.begin();
+  desk.click("Draw");
+  const rig::Pose before = desk.document().pose;
+  desk.stroke(desk.named_curve("brow_L", {0, -14}), false);
+  desk.frames();
+  EXPECT_EQ(desk.document().pose, before) << "nothing is done yet";
+  const ShownPose& shown = desk.app->of<EditingSession>().shown();
+  ASSERT_TRUE(shown.face().active());
+  EXPECT_EQ(shown.face().feature(), "brow_L");
+  EXPECT_NE(shown.pose(), before);
+}
+
+TEST(DrawTool, ATouchOfItsNameChangesWhatALineIs) {
+  Desk desk("draw-name");
+  raise_brow(desk);
+  ASSERT_TRUE(desk.click("line 1"));
+  ASSERT_TRUE(desk.click("Nothing of these##face"));
+  EXPECT_EQ(desk.document().face->lines.front().feature, "");
+  EXPECT_NEAR(value(desk, "brow_inner_L"), 0, 1e-9);
+  ASSERT_TRUE(desk.click("line 1"));
+  ASSERT_TRUE(desk.click("left brow##face"));
+  EXPECT_EQ(desk.document().face->lines.front().feature, "brow_L");
+  ASSERT_TRUE(desk.click("line 1"));
+  ASSERT_TRUE(desk.click("Delete##face"));
+  EXPECT_EQ(desk.document().face, nullptr);
+}
+
+TEST(DrawTool, ErasesAndClearsLinesOfTheFace) {
+  Desk desk("draw-erase");
+  raise_brow(desk);
+  desk.click("Erase");
+  desk.stroke(desk.named_curve("lip_upper"));
+  EXPECT_NE(desk.document().face, nullptr) << "nothing lies there";
+  desk.stroke(desk.named_curve("brow_L"));
+  EXPECT_EQ(desk.document().face, nullptr);
+  raise_brow(desk);
+  desk.click("Clear");
+  EXPECT_EQ(desk.document().face, nullptr);
+}
+
+TEST(DrawTool, WhatIsDrawnAtRestIsTheNeutralFace) {
+  Desk desk("draw-neutral");
+  raise_brow(desk);
+  desk.app->of<Actions>().run(Action::neutral);
+  EXPECT_NE(desk.document().neutral, nullptr);
+  EXPECT_EQ(desk.document().face, nullptr);
+  EXPECT_NEAR(value(desk, "brow_inner_L"), 0, 1e-9);
+  desk.app->of<Actions>().run(Action::neutral);
+  EXPECT_EQ(desk.document().neutral, nullptr) << "again, without lines, it is forgotten";
+}
+
+TEST(DrawTool, FeaturesAreCalledAsOneSpeaksOfThem) {
+  EXPECT_EQ(feature_words("eyelid_upper_L"), "left upper eyelid");
+  EXPECT_EQ(feature_words("lip_upper_inner"), "inner upper lip");
+  EXPECT_EQ(feature_words("nose_bridge"), "nose bridge");
+  EXPECT_EQ(feature_words("jaw"), "jaw");
+}
+
+}  // namespace
+}  // namespace penpose::app
