@@ -8,6 +8,7 @@
 #include "core/articulation/edit.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
+#include "ui/app/view/user_messages.h"
 
 namespace penpose::app {
 namespace {
@@ -64,8 +65,19 @@ void CurvesInHand::add_to(CurveLook& look, PxPoint at) const {
 
 bool CurvesInHand::is_far(PxPoint by) const { return std::hypot(by.x, by.y) > k_click_px * parts_.canvas.scale(); }
 
+std::optional<document::CurveId> CurvesInHand::name_at(PxPoint at) const {
+  for (const auto& [id, area] : parts_.panels.face_labels) {
+    if (area.holds(at)) return id;
+  }
+  return std::nullopt;
+}
+
 void CurvesInHand::press(PxPoint at) {
   parts_.tool.press(at);
+  parts_.panels.curve_menu.reset();
+  pressed_ = at;
+  named_ = name_at(at);
+  if (named_ && parts_.tool.now().selects) return;
   if (parts_.tool.now().selects) select_at(at);
 }
 
@@ -174,6 +186,12 @@ void CurvesInHand::end_performance() {
 void CurvesInHand::release(PxPoint at) {
   parts_.tool.release();
   parts_.controls.show_new();
+  // A line may begin at a name; a touch of it is no line.
+  if (const auto named = std::exchange(named_, std::nullopt); named && !is_far(at - pressed_)) {
+    parts_.notices.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
+    parts_.panels.curve_menu = {*named, at};
+    return;
+  }
   if (control_target_) {
     const auto pull = control_pull(at);
     control_target_.reset();

@@ -43,6 +43,8 @@ class CurvesInHand {
   void forget();
 
  private:
+  /// The line of the face whose name is there; nothing: none.
+  [[nodiscard]] std::optional<document::CurveId> name_at(PxPoint at) const;
   void select_at(PxPoint at);
   void select_control_at(PxPoint at);
   [[nodiscard]] bool take_control_target(PxPoint at);
@@ -58,6 +60,8 @@ class CurvesInHand {
   /// A target of the chosen control in hand: its value, and where it was taken.
   std::optional<std::pair<double, PxPoint>> control_target_;
   bool whole_ = false;
+  PxPoint pressed_;
+  std::optional<document::CurveId> named_;    ///< the name of this line of the face was pressed
   std::optional<document::CurveId> touched_;  ///< by the tool Select
 };
 

@@ -44,6 +44,7 @@ void show_face_labels(PanelContext& context, const Area& free, EditingSession& e
                       PanelState& panels) {
   const drawing::ToolKind tool = editing.editor().tool().kind;
   const auto& face = editing.document().face;
+  panels.face_labels.clear();
   if (!face || !panels.shown || face->time_s != editing.document().time_s || editing.pen_is_drawing()) return;
   if (tool != drawing::ToolKind::draw && tool != drawing::ToolKind::none) return;
   const auto high = 0.7 * static_cast<double>(context.unit), gap = static_cast<double>(context.gap);
@@ -83,11 +84,11 @@ void show_face_labels(PanelContext& context, const Area& free, EditingSession& e
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Area& area = labels[i].area;
     if (area.bottom > free.bottom || area.top < free.top) continue;
-    context.hits.panels.push_back(area);
+    panels.face_labels.emplace_back(labels[i].id, area);
     context.targets["line " + std::to_string(i + 1)] = area;
     const bool hovered = area.holds({static_cast<double>(mouse.x), static_cast<double>(mouse.y)}) &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow) && !context.menu_open &&
-                         !context.dialog_area && !ImGui::IsAnyItemActive();
+                         !context.dialog_area && !ImGui::IsAnyItemActive() && !panels.curve_menu;
     const ImVec2 from{static_cast<float>(area.left), static_cast<float>(area.top)};
     const ImVec2 to{static_cast<float>(area.right), static_cast<float>(area.bottom)};
     const ImU32 back = labels[i].known ? IM_COL32(28, 62, 110, 215) : IM_COL32(120, 74, 10, 225);
@@ -98,7 +99,6 @@ void show_face_labels(PanelContext& context, const Area& free, EditingSession& e
                  labels[i].text.c_str());
     if (hovered) context.tip_waits = true;
     if (hovered && context.tip_due) ImGui::SetTooltip("What this line was taken for: press to say what it is");
-    if (hovered && ImGui::IsMouseClicked(0)) panels.curve_menu = {labels[i].id, {area.right, area.top}};
   }
 }
 

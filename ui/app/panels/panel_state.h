@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/document/drawing/pose_curve.h"
 #include "ui/app/panels/panel_entries.h"
@@ -20,7 +21,9 @@ struct PanelState {
   bool has_keyboard = false;      ///< a key was pressed on one
   std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
   std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
-  States own;                                                       ///< what each panel keeps for itself
+  /// Names of lines of the face, and where they are: a touch opens what can be done with a line.
+  std::vector<std::pair<document::CurveId, Area>> face_labels;
+  States own;  ///< what each panel keeps for itself
 
   /// All, none; where there is no room for all, the tools, the side panel, none.
   void show_next() {

@@ -78,6 +78,20 @@ TEST(DrawTool, ATouchOfItsNameChangesWhatALineIs) {
   EXPECT_EQ(desk.document().face, nullptr);
 }
 
+TEST(DrawTool, ALineMayBeginOnTheNameOfAnother) {
+  Desk desk("draw-over-name");
+  raise_brow(desk);
+  const Area* name = desk.interface->find("line 1");
+  ASSERT_NE(name, nullptr);
+  const PxPoint from = name->middle();
+  auto line = desk.named_curve("brow_R", {0, -14});
+  const PxPoint by = from - line.front();
+  for (PxPoint& p : line) p = p + by;
+  desk.stroke(line);
+  ASSERT_NE(desk.document().face, nullptr);
+  EXPECT_EQ(desk.document().face->lines.size(), 2U);
+}
+
 TEST(DrawTool, ErasesAndClearsLinesOfTheFace) {
   Desk desk("draw-erase");
   raise_brow(desk);
