@@ -1,9 +1,21 @@
 #include "ui/render/document_curves.h"
 
+#include <utility>
+
 namespace penpose::render {
 
 std::vector<CurveDrawing> document_curves(const document::Document& document) {
   std::vector<CurveDrawing> drawings;
+  if (document.face) {
+    for (const document::FaceLine& line : document.face->lines) {
+      auto points = document::points_of(document.face->view, line.line, document.face->middle);
+      if (!points) continue;
+      CurveDrawing drawing;
+      drawing.kind = CurveKind::target;
+      drawing.points = std::move(*points);
+      drawings.push_back(std::move(drawing));
+    }
+  }
   if (document.curves.empty()) return drawings;
   const document::Model& model = *document.model;
   std::vector<geometry::ModelPoint> positions(model.mesh->vertex_count());

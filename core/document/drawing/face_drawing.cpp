@@ -10,22 +10,31 @@ bool same_side(const View& a, const View& b) {
   return glm::dot(one, other) > k_cosine * geometry::length(one) * geometry::length(other);
 }
 
+std::optional<std::vector<geometry::ModelPoint>> points_of(const View& view, const std::vector<curve::PxPoint>& line,
+                                                           const geometry::ModelPoint& middle) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return std::nullopt;
+  const double depth = camera->depth(middle);
+  std::vector<geometry::ModelPoint> out;
+  for (const curve::PxPoint& p : line) {
+    const geometry::Ray ray = camera->ray(p);
+    const double ahead = glm::dot(ray.direction, camera->forward());
+    if (!(ahead > 0.0 && depth > 0.0)) return std::nullopt;
+    out.push_back(ray.origin + ray.direction * (depth / ahead));
+  }
+  return out;
+}
+
 std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const View& from,
                                                    const std::vector<curve::PxPoint>& line,
                                                    const geometry::ModelPoint& middle) {
   if (to == from) return line;
-  if (!same_side(to, from)) return std::nullopt;
-  const auto drawn = geometry::Camera::make(from.camera, from.viewport);
   const auto seen = geometry::Camera::make(to.camera, to.viewport);
-  if (!drawn || !seen) return std::nullopt;
+  const auto points = seen && same_side(to, from) ? points_of(from, line, middle) : std::nullopt;
+  if (!points) return std::nullopt;
   std::vector<curve::PxPoint> out;
-  for (const curve::PxPoint& p : line) {
-    // On the plane through the middle that faces the eye.
-    const geometry::Ray ray = drawn->ray(p);
-    const double ahead = glm::dot(ray.direction, drawn->forward());
-    const double depth = drawn->depth(middle);
-    if (!(ahead > 0.0 && depth > 0.0)) return std::nullopt;
-    const auto px = seen->project(ray.origin + ray.direction * (depth / ahead));
+  for (const geometry::ModelPoint& point : *points) {
+    const auto px = seen->project(point);
     if (!px) return std::nullopt;
     out.push_back(*px);
   }

@@ -37,6 +37,12 @@ inline constexpr std::size_t k_most_face_lines = 60;
 /// Whether lines of both views belong to one drawing: a face is seen from about the same side.
 [[nodiscard]] bool same_side(const View& a, const View& b);
 
+/// Where a line that was drawn in a view lies in space: on the plane through `middle` that faces the eye. Nothing: a
+/// view that cannot be, or one that looks away from there.
+[[nodiscard]] std::optional<std::vector<geometry::ModelPoint>> points_of(const View& view,
+                                                                         const std::vector<curve::PxPoint>& line,
+                                                                         const geometry::ModelPoint& middle);
+
 /// A line as it would have been drawn in another view of the same side, so that it lies over the same places of what is
 /// about `middle`. Nothing: a view that cannot be or is of another side, or one that looks away from there.
 [[nodiscard]] std::optional<std::vector<curve::PxPoint>> line_in(const View& to, const View& from,
