@@ -17,6 +17,12 @@ using geometry::ModelVector;
 /// them lies this far before them. Shares of the model's size.
 constexpr double k_outside = 0.003;
 constexpr double k_before = 0.01;
+/// Where a contour goes behind something is found to this part of the way between two of its points: 2^-6.
+constexpr int k_halvings = 6;
+/// Hidden for less than this, share of the model's size, it is drawn on: facets of a coarse surface stand out so far.
+constexpr double k_gap = 0.006;
+/// A ray looks through so many facets beside the contour.
+constexpr int k_most_facets = 6;
 
 /// An edge, low vertex first.
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -116,15 +122,136 @@ bool is_seen(const geometry::Camera& camera, const geometry::TriangleBvh& tree, 
   return !hit || hit->distance > distance - before;
 }
 
-double length_px(const geometry::Camera& camera, const SurfaceLine& line, std::span<const ModelPoint> positions) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const auto a = camera.project(place_of(line[i - 1], positions));
-    const auto b = camera.project(place_of(line[i], positions));
-    if (a && b) length += geometry::distance(*a, *b);
+/// Contours of a posed mesh and what hides them.
+class ContourWalk {
+ public:
+  ContourWalk(const geometry::Camera& camera, const mesh::TriangleMesh& mesh, std::span<const ModelPoint> positions,
+              const geometry::TriangleBvh& tree, double size)
+      : camera_(camera),
+        mesh_(mesh),
+        positions_(positions),
+        tree_(tree),
+        size_(size),
+        normals_(normals_of(mesh, positions)),
+        facing_(facing_of(camera, mesh, positions, normals_)) {}
+
+  [[nodiscard]] std::vector<std::vector<Edge>> chains() const { return Chains(segments_of(mesh_, facing_)).all(); }
+
+  /// The seen parts of a chain.
+  void add(const std::vector<Edge>& chain, std::vector<SurfaceLine>& out) const {
+    SurfaceLine points;
+    for (const Edge& edge : chain) points.push_back(point_on(edge));
+    if (points.size() < 2) return;
+    const bool closed = chain.front() == chain.back();
+    std::vector<bool> seen(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) seen[i] = is_seen(points[i], chain[i]);
+    close_gaps(points, seen);
+    if (closed) begin_hidden(points, seen);
+    SurfaceLine part;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i > 0 && seen[i] != seen[i - 1]) part.push_back(border(points[i - 1], points[i], seen[i - 1]));
+      if (seen[i]) part.push_back(points[i]);
+      if (part.size() >= 2 && (!seen[i] || i + 1 == points.size())) out.push_back(ordered(std::move(part)));
+      if (!seen[i]) part.clear();
+    }
   }
-  return length;
-}
+  [[nodiscard]] double length_px(const SurfaceLine& line) const {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const auto a = camera_.project(place_of(line[i - 1], positions_));
+      const auto b = camera_.project(place_of(line[i], positions_));
+      if (a && b) length += geometry::distance(*a, *b);
+    }
+    return length;
+  }
+
+ private:
+  [[nodiscard]] posing::CurvePoint point_on(const Edge& edge) const {
+    const double a = std::abs(facing_[edge.first]);
+    const double b = std::abs(facing_[edge.second]);
+    const double share = a + b > 0.0 ? a / (a + b) : 0.5;
+    return {{edge.first, edge.second, 0}, {1.0 - share, share, 0.0}};
+  }
+  /// What lies before a place hides it, but not the facets beside it. `edge`: of the contour, next to it.
+  [[nodiscard]] bool is_seen(const posing::CurvePoint& point, const Edge& edge) const {
+    const ModelVector out = geometry::normalized(place_of(point, normals_), ModelVector{0}) * (k_outside * size_);
+    const ModelPoint place = place_of(point, positions_) + out;
+    if (!camera_.project(place)) return false;
+    const ModelVector way = place - camera_.eye();
+    const double distance = geometry::length(way);
+    const ModelVector direction = geometry::normalized(way);
+    double from = 0;
+    for (int k = 0; k < k_most_facets; ++k) {
+      const auto hit = tree_.nearest_hit({camera_.eye() + direction * from, direction});
+      if (!hit || from + hit->distance > distance - k_before * size_) return true;
+      if (!beside(hit->triangle, edge)) return false;
+      from += hit->distance + 1e-6 * size_;
+    }
+    return true;
+  }
+  [[nodiscard]] bool beside(std::uint32_t triangle, const Edge& edge) const {
+    const mesh::Triangle& corners = mesh_.triangles()[triangle];
+    return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+      return mesh_.weld()[v] == edge.first || mesh_.weld()[v] == edge.second;
+    });
+  }
+  void close_gaps(const SurfaceLine& points, std::vector<bool>& seen) const {
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      if (seen[i] || !seen[i - 1]) continue;
+      double gap = 0;
+      std::size_t end = i;
+      while (end < points.size() && !seen[end]) {
+        gap += geometry::distance(place_of(points[end - 1], positions_), place_of(points[end], positions_));
+        ++end;
+      }
+      if (end == points.size()) return;
+      if (gap < k_gap * size_)
+        std::fill(seen.begin() + static_cast<std::ptrdiff_t>(i), seen.begin() + static_cast<std::ptrdiff_t>(end), true);
+    }
+  }
+  /// A closed line whose beginning is seen begins where it is hidden instead, if it is anywhere.
+  static void begin_hidden(SurfaceLine& points, std::vector<bool>& seen) {
+    const auto hidden = std::find(seen.begin(), seen.end(), false);
+    if (!seen.front() || hidden == seen.end()) return;
+    const auto by = hidden - seen.begin();
+    points.pop_back();
+    seen.pop_back();
+    std::rotate(points.begin(), points.begin() + by, points.end());
+    std::rotate(seen.begin(), seen.begin() + by, seen.end());
+    points.push_back(points.front());
+    seen.push_back(seen.front());
+  }
+  /// Where a line goes behind something between two of its points.
+  [[nodiscard]] posing::CurvePoint border(const posing::CurvePoint& from, const posing::CurvePoint& to,
+                                          bool from_seen) const {
+    double low = 0, high = 1;
+    for (int k = 0; k < k_halvings; ++k) {
+      const double middle = 0.5 * (low + high);
+      const bool seen = is_seen(point_between(from, to, middle), {to.vertex[0], to.vertex[1]});
+      (seen == from_seen ? low : high) = middle;
+    }
+    return point_between(from, to, from_seen ? low : high);
+  }
+  /// With the side that faces the camera always on the same side of its way in the picture.
+  [[nodiscard]] SurfaceLine ordered(SurfaceLine line) const {
+    double side = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const ModelVector along = place_of(line[i], positions_) - place_of(line[i - 1], positions_);
+      const ModelVector outwards = place_of(line[i], normals_);
+      side += glm::dot(glm::cross(along, outwards), camera_.forward());
+    }
+    if (side < 0.0) std::reverse(line.begin(), line.end());
+    return line;
+  }
+
+  const geometry::Camera& camera_;
+  const mesh::TriangleMesh& mesh_;
+  std::span<const ModelPoint> positions_;
+  const geometry::TriangleBvh& tree_;
+  double size_;
+  std::vector<ModelVector> normals_;
+  std::vector<double> facing_;
+};
 
 double size_of(std::span<const ModelPoint> positions) {
   geometry::Box box;
@@ -160,36 +287,35 @@ std::vector<SurfaceLine> seen_parts(const geometry::Camera& camera, const Surfac
   return parts;
 }
 
+posing::CurvePoint point_between(const posing::CurvePoint& from, const posing::CurvePoint& to, double share) {
+  posing::CurvePoint out{{0, 0, 0}, {0, 0, 0}};
+  std::size_t count = 0;
+  const auto add = [&](const posing::CurvePoint& point, double factor) {
+    for (std::size_t k = 0; k < point.vertex.size(); ++k) {
+      if (point.weight[k] == 0.0) continue;
+      std::size_t at = 0;
+      while (at < count && out.vertex[at] != point.vertex[k]) ++at;
+      if (at == out.vertex.size()) continue;
+      out.vertex[at] = point.vertex[k];
+      out.weight[at] += factor * point.weight[k];
+      count = std::max(count, at + 1);
+    }
+  };
+  add(from, 1.0 - share);
+  add(to, share);
+  return out;
+}
+
 std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
                                     std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
-  const std::vector<ModelVector> normals = normals_of(mesh, positions);
-  const std::vector<double> facing = facing_of(camera, mesh, positions, normals);
-  const double size = size_of(positions);
-  std::vector<std::pair<double, SurfaceLine>> lines;
-  const auto keep = [&](SurfaceLine& line) {
-    if (line.size() >= 2) lines.emplace_back(length_px(camera, line, positions), std::move(line));
-    line.clear();
-  };
-  const Chains chains(segments_of(mesh, facing));
-  for (const std::vector<Edge>& chain : chains.all()) {
-    SurfaceLine line;
-    for (const Edge& edge : chain) {
-      const double a = std::abs(facing[edge.first]);
-      const double b = std::abs(facing[edge.second]);
-      const double share = a + b > 0.0 ? a / (a + b) : 0.5;
-      const posing::CurvePoint point{{edge.first, edge.second, 0}, {1.0 - share, share, 0.0}};
-      const ModelVector out = geometry::normalized(place_of(point, normals), ModelVector{0}) * (k_outside * size);
-      if (is_seen(camera, tree, place_of(point, positions) + out, k_before * size)) {
-        line.push_back(point);
-      } else {
-        keep(line);
-      }
-    }
-    keep(line);
-  }
-  std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const ContourWalk walk(camera, mesh, positions, tree, size_of(positions));
+  std::vector<SurfaceLine> lines;
+  for (const std::vector<Edge>& chain : walk.chains()) walk.add(chain, lines);
+  std::vector<std::pair<double, std::size_t>> lengths;
+  for (std::size_t i = 0; i < lines.size(); ++i) lengths.emplace_back(walk.length_px(lines[i]), i);
+  std::stable_sort(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<SurfaceLine> sorted;
-  for (auto& [length, line] : lines) sorted.push_back(std::move(line));
+  for (const auto& [length, i] : lengths) sorted.push_back(std::move(lines[i]));
   return sorted;
 }
 
