@@ -21,6 +21,7 @@ constexpr double k_before = 0.01;
 constexpr int k_halvings = 6;
 /// Hidden for less than this, share of the model's size, it is drawn on: facets of a coarse surface stand out so far.
 constexpr double k_gap = 0.006;
+constexpr double k_apart_px = 4.0;
 /// A ray looks through so many facets beside the contour.
 constexpr int k_most_facets = 6;
 
@@ -126,12 +127,13 @@ bool is_seen(const geometry::Camera& camera, const geometry::TriangleBvh& tree, 
 class ContourWalk {
  public:
   ContourWalk(const geometry::Camera& camera, const mesh::TriangleMesh& mesh, std::span<const ModelPoint> positions,
-              const geometry::TriangleBvh& tree, double size)
+              const geometry::TriangleBvh& tree, double size, double least_px)
       : camera_(camera),
         mesh_(mesh),
         positions_(positions),
         tree_(tree),
         size_(size),
+        least_px_(least_px),
         normals_(normals_of(mesh, positions)),
         facing_(facing_of(camera, mesh, positions, normals_)) {}
 
@@ -141,10 +143,9 @@ class ContourWalk {
   void add(const std::vector<Edge>& chain, std::vector<SurfaceLine>& out) const {
     SurfaceLine points;
     for (const Edge& edge : chain) points.push_back(point_on(edge));
-    if (points.size() < 2) return;
+    if (points.size() < 2 || length_px(points) < least_px_) return;
     const bool closed = chain.front() == chain.back();
-    std::vector<bool> seen(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) seen[i] = is_seen(points[i], chain[i]);
+    std::vector<bool> seen = seen_of(points, chain);
     close_gaps(points, seen);
     if (closed) begin_hidden(points, seen);
     SurfaceLine part;
@@ -194,6 +195,23 @@ class ContourWalk {
     return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
       return mesh_.weld()[v] == edge.first || mesh_.weld()[v] == edge.second;
     });
+  }
+  /// Whether each point is seen. Between two that are k_apart_px apart and alike all others are like them.
+  [[nodiscard]] std::vector<bool> seen_of(const SurfaceLine& points, const std::vector<Edge>& chain) const {
+    std::vector<bool> seen(points.size());
+    seen[0] = is_seen(points[0], chain[0]);
+    std::size_t last = 0;
+    auto from = camera_.project(place_of(points[0], positions_));
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto at = camera_.project(place_of(points[i], positions_));
+      if (from && at && geometry::distance(*from, *at) < k_apart_px && i + 1 < points.size()) continue;
+      seen[i] = is_seen(points[i], chain[i]);
+      for (std::size_t k = last + 1; k < i; ++k)
+        seen[k] = seen[i] == seen[last] ? seen[i] : is_seen(points[k], chain[k]);
+      last = i;
+      from = at;
+    }
+    return seen;
   }
   void close_gaps(const SurfaceLine& points, std::vector<bool>& seen) const {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -248,7 +266,7 @@ class ContourWalk {
   const mesh::TriangleMesh& mesh_;
   std::span<const ModelPoint> positions_;
   const geometry::TriangleBvh& tree_;
-  double size_;
+  double size_, least_px_;
   std::vector<ModelVector> normals_;
   std::vector<double> facing_;
 };
@@ -307,8 +325,9 @@ posing::CurvePoint point_between(const posing::CurvePoint& from, const posing::C
 }
 
 std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
-                                    std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
-  const ContourWalk walk(camera, mesh, positions, tree, size_of(positions));
+                                    std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree,
+                                    double least_px) {
+  const ContourWalk walk(camera, mesh, positions, tree, size_of(positions), least_px);
   std::vector<SurfaceLine> lines;
   for (const std::vector<Edge>& chain : walk.chains()) walk.add(chain, lines);
   std::vector<std::pair<double, std::size_t>> lengths;

@@ -32,9 +32,9 @@ using SurfaceLine = std::vector<posing::CurvePoint>;
 /// "Illustrating smooth surfaces", 2000: where the vertices' normals are at right angles to the view), chained, without
 /// what lies behind other parts: each goes on to where something hides it, and one that nothing hides is closed. The
 /// longest in the picture first, each with the surface on the same side of its way. `positions`: of all vertices, as
-/// posed, in which the camera and the tree see the mesh too.
+/// posed, in which the camera and the tree see the mesh too. `least_px`: shorter ones are left out.
 [[nodiscard]] std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
                                                   std::span<const geometry::ModelPoint> positions,
-                                                  const geometry::TriangleBvh& tree);
+                                                  const geometry::TriangleBvh& tree, double least_px = 0);
 
 }  // namespace penpose::portrait

@@ -60,6 +60,7 @@ const std::vector<Scene>& scenes() {
       {"cesium_man.glb", "knee bent", 180, {{"joint7", 0, {0, 0, 35}}, {"joint8", 0, {0, 0, -50}}}},
       {"cesium_man.glb", "bow", 0, {{"joint11", 0, {0, 0, -30}}}},
       {"cesium_man.glb", "nod", 0, {{"joint19", 0, {0, 0, -25}}}},
+      {"cesium_man.glb", "leg to the eye", 90, {{"joint3", 0, {0, 0, 45}}}},
       {"ict_face.glb", "jaw 0.4", 75, {{"jawOpen", 0.4}}, true},
       {"ict_face.glb", "jaw 0.7", 90, {{"jawOpen", 0.7}}, true},
       {"ict_face.glb", "cheeks", 0, {{"cheekPuff_L", 0.8}, {"cheekPuff_R", 0.8}}, true},
@@ -83,8 +84,7 @@ class Stage {
     for (const Move& move : scene.moves) add(move);
     at_rest_ = places(rest_);
     true_ = places(meant_);
-    render::Viewpoint from;
-    from.yaw_degrees = scene.yaw;
+    const render::Viewpoint from{scene.yaw, 0};
     const std::vector<glm::vec3> points(at_rest_.begin(), at_rest_.end());
     camera_.push_back(render::frame_points(points, {1000, 1000}, from));
   }
@@ -139,6 +139,7 @@ class Stage {
   }
   [[nodiscard]] const geometry::Camera& camera() const { return camera_.front(); }
   [[nodiscard]] const rig::Pose& rest() const { return rest_; }
+  [[nodiscard]] const rig::Pose& meant() const { return meant_; }
 
  private:
   void add(const Move& move) {
@@ -218,8 +219,9 @@ int measure(const std::string& folder, bool held_out, bool loud) {
                   off.stray, times.back());
       if (!loud) continue;
       for (std::size_t p = 0; p < posed->pose.size(); ++p) {
-        if (posed->pose[p] != stage.rest()[p])
-          std::printf("    %s %.3f\n", model->rig->parameters()[p].name.c_str(), posed->pose[p]);
+        if (posed->pose[p] != stage.rest()[p] || stage.meant()[p] != stage.rest()[p])
+          std::printf("    %s %.3f of %.3f\n", model->rig->parameters()[p].name.c_str(), posed->pose[p],
+                      stage.meant()[p]);
       }
     }
   }

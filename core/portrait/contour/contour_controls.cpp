@@ -15,15 +15,17 @@ constexpr double k_half_circle = base::k_pi;
 /// What squares cost: of a share of a range, of half circles of a bend in the picture, out of it and of a twist.
 constexpr double k_share_stiffness = 3.0;
 constexpr double k_bend = 0.5;
-constexpr double k_out_of_picture = 60.0;
-constexpr double k_twist_cost = 100.0;
+constexpr double k_out_of_picture = 200.0;
+constexpr double k_twist_cost = 300.0;
+/// A joint that turns about other axes than the view's direction, too, costs so much more.
+constexpr double k_other_axes = 4.0;
 /// A control that one side alone moves costs so much more than both sides together.
 constexpr double k_one_side = 1.0;
 /// Less of a share of a range is no way.
 constexpr double k_least_room = 1e-6;
 
 /// First guesses, shares of a range and half circles.
-constexpr std::array<double, 3> k_shares{0.3, 0.65, 1.0};
+constexpr std::array<double, 2> k_shares{0.4, 0.9};
 constexpr std::array<double, 5> k_bends{0.1, 0.2, 0.33, 0.48, 0.65};
 constexpr std::array<double, 2> k_bends_out{0.18, 0.36};
 
@@ -91,8 +93,10 @@ void ContourControls::add_joint(std::size_t first, const rig::Joint& joint, cons
                                      place, {}, camera.forward()));
   const joints::Turn& turn = turns_.back();
   first_of_turn_.push_back(variables_.size());
-  intent::Unit unit;
+  intent::Unit bend, unit;
   unit.count = 3;
+  unit.charge = k_other_axes;
+  bend.members[0] = variables_.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     unit.members[axis] = variables_.size();
     variables_.push_back({first, turns_.size() - 1, axis});
@@ -107,6 +111,7 @@ void ContourControls::add_joint(std::size_t first, const rig::Joint& joint, cons
     const bool out = turn.planar && axis == 1 && !turn.bends_in_depth;
     choices_.stiffness.push_back(axis == 2 ? k_twist_cost : out ? k_bend + k_out_of_picture * turn.across : k_bend);
   }
+  if (turn.planar) choices_.units.push_back(bend);
   choices_.units.push_back(unit);
 }
 
@@ -169,7 +174,13 @@ std::vector<std::vector<double>> ContourControls::guesses(std::size_t number) co
     return out;
   }
   for (const double side : {1.0, -1.0}) {
-    for (const double bend : k_bends) out.push_back({side * bend, 0.0, 0.0});
+    if (unit.count == 1 || !turns_[variables_[v].turn].planar) {
+      for (const double bend : k_bends) {
+        out.emplace_back(unit.count, 0.0);
+        out.back()[0] = side * bend;
+      }
+    }
+    if (unit.count == 1) continue;
     for (const double bend : k_bends_out) out.push_back({0.0, side * bend, 0.0});
   }
   return out;

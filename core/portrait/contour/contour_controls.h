@@ -19,7 +19,7 @@ class ContourControls {
   ContourControls(const rig::Rig& rig, const intent::WholeModel& whole, const rig::Pose& start,
                   std::span<const std::size_t> free, const geometry::Camera& camera);
 
-  /// Units: a control, those of both sides, or the axes of a joint.
+  /// Units: a control, those of both sides, or of a joint all axes, or the view's direction alone.
   [[nodiscard]] const intent::Choices& choices() const { return choices_; }
   [[nodiscard]] std::size_t variable_count() const { return variables_.size(); }
   [[nodiscard]] rig::Pose pose_of(const intent::Choice& choice) const;

@@ -48,6 +48,13 @@ void add_places(const PxPoint& at, const PxPoint& along, const SeenContour& cont
   double last = 1e300;
   bool rising = false;
   for (std::size_t s = 0; s + 1 < contour.px.size(); ++s) {
+    if (s % k_boxed == 0 && !contour.boxes[s / k_boxed].near(at, k_farthest_px)) {
+      keep();
+      last = 1e300;
+      rising = false;
+      s += k_boxed - 1;
+      continue;
+    }
     const PxPoint& a = contour.px[s];
     const PxPoint& b = contour.px[s + 1];
     const double length = contour.lengths[s + 1] - contour.lengths[s];

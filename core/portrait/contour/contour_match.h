@@ -17,7 +17,7 @@ struct EvenLine {
 /// How far a hand strays from the contour that it means, px of a view 1000 px high.
 inline constexpr double k_contour_doubt_px = 3.0;
 /// Points so far along a line tell of its pose independently of each other, px.
-inline constexpr double k_contour_look_px = 40.0;
+inline constexpr double k_contour_look_px = 30.0;
 
 /// The doubt of a place so far (px) from where it was drawn, times 1 / looks: rho = k log(1 + (d / sigma)^2 / k), the
 /// likelihood of normal errors of unknown width.

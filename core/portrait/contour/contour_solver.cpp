@@ -24,6 +24,9 @@ constexpr double k_trust = 0.15;
 constexpr double k_gain = 1e-6;
 /// What stays where other lines put it is held like this many looks, each point.
 constexpr double k_kept_looks = 0.5;
+/// Points nearer to their contour than this may be there; those that are near none count as so far away.
+constexpr double k_near_px = 4.0;
+constexpr double k_far_px = 60.0;
 /// Differences by which columns are made.
 constexpr double k_difference = 1e-4;
 
@@ -32,8 +35,8 @@ constexpr double k_difference = 1e-4;
 PxPoint SheetPlace::operator()(const PxPoint& p) const { return placement()(p); }
 
 Placement SheetPlace::placement() const {
-  const double grown = 1.0 + moved_[2] * k_widths[2];
-  const double turn = moved_[3] * k_widths[3];
+  const double grown = 1.0 + moved_[2] * widths_[2];
+  const double turn = moved_[3] * widths_[3];
   const double along = grown * base::cos(turn);
   const double across = grown * base::sin(turn);
   Placement out;
@@ -41,13 +44,13 @@ Placement SheetPlace::placement() const {
   out.across = along * first_.across + across * first_.along;
   const PxPoint from = first_.shift - middle_;
   out.shift = middle_ + PxPoint{along * from.x - across * from.y, along * from.y + across * from.x} +
-              PxPoint{moved_[0] * k_widths[0], moved_[1] * k_widths[1]};
+              PxPoint{moved_[0] * widths_[0], moved_[1] * widths_[1]};
   return out;
 }
 
 std::array<PxPoint, 4> SheetPlace::ways(const PxPoint& at) const {
   const PxPoint from = at - middle_;
-  return {PxPoint{k_widths[0], 0}, PxPoint{0, k_widths[1]}, from * k_widths[2], PxPoint{-from.y, from.x} * k_widths[3]};
+  return {PxPoint{widths_[0], 0}, PxPoint{0, widths_[1]}, from * widths_[2], PxPoint{-from.y, from.x} * widths_[3]};
 }
 
 void SheetPlace::move(std::span<const double> by) {
@@ -65,6 +68,7 @@ ContourSolver::ContourSolver(const rig::Rig& rig, const ContourControls& control
                              const rig::Pose& start)
     : rig_(rig), controls_(controls), contours_(contours), lines_(lines), kept_(kept) {
   costs_.evidence = 0;
+  costs_.movement = 2.5;
   quadratic_.reset(controls.variable_count(), 0, 0);
   quadratic_.finish();
   std::vector<geometry::ModelPoint> places(rig.vertex_count());
@@ -319,9 +323,22 @@ ContourReading ContourSolver::pruned(ContourReading reading) {
   return reading;
 }
 
+double ContourSolver::standing_out(const ContourReading& reading) const {
+  double sum = 0;
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const double looks = lines_[l].spacing * reading.sheet.placement().scale() / k_contour_look_px;
+    for (std::size_t i = 0; i < lines_[l].points.size(); ++i) {
+      const auto& place = reading.matches[l].places[i];
+      const double px = place ? geometry::distance(reading.sheet(lines_[l].points[i]), place->px) : k_far_px;
+      sum += looks * std::max(0.0, contour_doubt(px) - contour_doubt(k_near_px));
+    }
+  }
+  return sum;
+}
+
 ContourReading ContourSolver::solve(const ContourReading& still) {
   ContourReading best = still;
-  for (int step = 0; step < k_steps; ++step) {
+  for (int step = 0; step < k_steps && standing_out(best) > costs_.unit; ++step) {
     ContourReading next = chosen(best, k_guess_rounds);
     for (const ContourReading& guess : explored(best)) {
       ContourReading one = refined(guess, k_guess_rounds);

@@ -15,7 +15,10 @@ namespace penpose::portrait {
 /// Where a sheet lies in the picture: as it was laid there first, moved a little about the middle of the lines.
 class SheetPlace {
  public:
-  SheetPlace(const Placement& first, PxPoint middle) : first_(first), middle_(middle) {}
+  /// `ease`: times the usual widths.
+  SheetPlace(const Placement& first, PxPoint middle, double ease = 1) : first_(first), middle_(middle) {
+    for (std::size_t k = 0; k < widths_.size(); ++k) widths_[k] = ease * k_widths[k];
+  }
   [[nodiscard]] PxPoint operator()(const PxPoint& p) const;
   [[nodiscard]] Placement placement() const;
   /// How a place of the picture moves with shift to the right (px), down (px), growth (share) and turn (radians).
@@ -25,18 +28,19 @@ class SheetPlace {
   /// Squares of all moves in widths of what is usual.
   [[nodiscard]] double squares() const;
   [[nodiscard]] const std::array<double, 4>& moved() const { return moved_; }
-  static constexpr std::array<double, 4> k_widths{12.0, 12.0, 0.015, 0.012};
+  static constexpr std::array<double, 4> k_widths{4.5, 4.5, 0.006, 0.006};
 
  private:
   Placement first_;
   PxPoint middle_;
+  std::array<double, 4> widths_{};
   std::array<double, 4> moved_{0, 0, 0, 0};  ///< in widths
 };
 
 /// A pose by its units, where the sheet lies, and what that leaves of the lines.
 struct ContourReading {
   intent::Choice choice;
-  SheetPlace sheet{{}, {}};
+  SheetPlace sheet{{}, {}, 1};
   std::vector<ContourMatch> matches;  ///< one a line
   double energy = 1e300;
 };
@@ -74,6 +78,8 @@ class ContourSolver {
   [[nodiscard]] ContourReading chosen(ContourReading reading, int rounds);
   /// The best of all first guesses of one unit more, or of a unit that moves already.
   [[nodiscard]] std::vector<ContourReading> explored(const ContourReading& from);
+  /// What of the lines lies farther off than a hand strays, in doubt: no unit more gains more than that.
+  [[nodiscard]] double standing_out(const ContourReading& reading) const;
   [[nodiscard]] ContourReading pruned(ContourReading reading);
 
   struct Row {

@@ -14,34 +14,32 @@ constexpr std::size_t k_most_contour_lines = 60;
 /// Points of lines, px of the picture, and how many at most.
 constexpr double k_spacing_px = 6.0;
 constexpr double k_most_points = 260.0;
-/// What it costs to lay a sheet on by the box of its lines.
+/// What it costs to lay a sheet on by the box of its lines, and for each hundredth by which these are shorter than so
+/// much of all contours: a part of an outline has no box that tells.
 constexpr double k_by_box = 12.0;
+constexpr double k_outline = 0.7;
+constexpr double k_part = 3.0;
+/// Then it lies less exactly, by this factor.
+constexpr double k_ease_by_box = 4.0;
 /// Where two ways to lay it on differ by no more, both are solved for.
 constexpr double k_close = 40.0;
 /// A line is explained where so much of it lies so near to a contour, px.
 constexpr double k_explained = 0.6;
 constexpr double k_explained_px = 14.0;
 
-struct DrawnBox {
-  PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
-  [[nodiscard]] PxPoint size() const { return high - low; }
-  [[nodiscard]] PxPoint middle() const { return (low + high) * 0.5; }
-};
-
-base::Result<DrawnBox> box_of(const ContourDrawing& drawing) {
+base::Result<PxBox> box_of(const ContourDrawing& drawing) {
   if (drawing.lines.empty()) return base::Error{"it has no lines", "", "draw contours of the model as lines"};
   if (drawing.lines.size() > k_most_contour_lines) {
     return base::Error{std::to_string(drawing.lines.size()) + " contour lines are more than 60", "",
                        "draw fewer, longer lines"};
   }
-  DrawnBox box;
+  PxBox box;
   for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
     const std::string place = "line " + std::to_string(i);
     for (const PxPoint& p : drawing.lines[i]) {
       if (!(std::abs(p.x) < 1e9 && std::abs(p.y) < 1e9))
         return base::Error{"a point is not on a sheet", place, "use numbers of px"};
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+      box.add(p);
     }
     if (drawing.lines[i].size() < 2 || !(curve::arc_length<PxPoint>(drawing.lines[i]) > 0.0))
       return base::Error{"a line has no length", place, "leave dots out"};
@@ -69,19 +67,27 @@ std::vector<EvenLine> even_lines(const ContourDrawing& drawing, double scale) {
 struct Laid {
   Placement placement;
   double charge = 0;
+  double ease = 1;  ///< of the sheet
 };
 
 /// Ways to lay the sheet on a view in which contours are seen.
-std::vector<Laid> ways_to_lay(const ContourDrawing& drawing, const DrawnBox& drawn, const SeenContours& contours) {
-  if (drawing.placement) return {{*drawing.placement, 0.0}};
-  const auto [low, high] = contours.box();
+std::vector<Laid> ways_to_lay(const ContourDrawing& drawing, const PxBox& drawn, const SeenContours& contours) {
+  if (drawing.placement) return {{*drawing.placement}};
+  const PxBox seen = contours.box();
   const double scale = contours.camera().viewport().height / drawing.height;
-  std::vector<Laid> out{{{scale, 0, {0, 0}}, 0.0}};
-  const PxPoint goal = high - low;
-  const PxPoint size = drawn.size();
+  std::vector<Laid> out{{{scale, 0, {0, 0}}}};
+  const PxPoint goal = seen.high - seen.low;
+  const PxPoint size = (drawn.high - drawn.low);
   const double by_box = std::sqrt(geometry::dot(goal, goal) / geometry::dot(size, size));
+  double length = 0, outline = 0;
+  for (const auto& line : drawing.lines) length += curve::arc_length<PxPoint>(line);
+  for (const SeenContour& contour : contours.lines()) outline += contour.lengths.back();
   for (const double one : {by_box, goal.y / size.y}) {
-    if (std::isfinite(one) && one > 0.0) out.push_back({{one, 0, (low + high) * 0.5 - drawn.middle() * one}, k_by_box});
+    if (!(std::isfinite(one) && one > 0.0)) continue;
+    const double missing = std::max(0.0, k_outline - one * length / outline);
+    out.push_back({{one, 0, (seen.low + seen.high) * 0.5 - (drawn.low + drawn.high) * (0.5 * one)},
+                   k_by_box + 100.0 * k_part * missing,
+                   k_ease_by_box});
   }
   return out;
 }
@@ -128,7 +134,7 @@ base::Result<ContourPose> pose_from_contours(const rig::Rig& rig, const mesh::Tr
     for (const Laid& laid : ways_to_lay(drawing, *drawn, seen[v])) {
       View one{v, laid.charge, even_lines(drawing, laid.placement.scale()), {}};
       ContourSolver solver(rig, controls[v], seen[v], one.lines, drawing.kept, start);
-      one.still = solver.still({laid.placement, laid.placement(drawn->middle())});
+      one.still = solver.still({laid.placement, laid.placement((drawn->low + drawn->high) * 0.5), laid.ease});
       ways.push_back(std::move(one));
     }
   }

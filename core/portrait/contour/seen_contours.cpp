@@ -31,7 +31,7 @@ void SeenContours::look(const rig::Pose& pose) {
   tree_.refit(floats_);
   lines_.clear();
   const double least = k_least_contour * camera_.viewport().height;
-  for (SurfaceLine& line : silhouette(camera_, mesh_, positions_, tree_)) {
+  for (SurfaceLine& line : silhouette(camera_, mesh_, positions_, tree_, least)) {
     SeenContour seen;
     for (const posing::CurvePoint& point : line) {
       const PxPoint at = camera_.project(place_of(point, positions_)).value_or(PxPoint{});
@@ -39,6 +39,11 @@ void SeenContours::look(const rig::Pose& pose) {
       seen.px.push_back(at);
     }
     if (seen.lengths.back() < least) break;
+    for (std::size_t i = 0; i + 1 < seen.px.size(); ++i) {
+      if (i % k_boxed == 0) seen.boxes.emplace_back();
+      seen.boxes.back().add(seen.px[i]);
+      seen.boxes.back().add(seen.px[i + 1]);
+    }
     seen.closed =
         line.size() > 2 && line.front().vertex == line.back().vertex && line.front().weight == line.back().weight;
     seen.points = std::move(line);
@@ -46,15 +51,12 @@ void SeenContours::look(const rig::Pose& pose) {
   }
 }
 
-std::pair<PxPoint, PxPoint> SeenContours::box() const {
-  PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
+PxBox SeenContours::box() const {
+  PxBox box;
   for (const SeenContour& line : lines_) {
-    for (const PxPoint& p : line.px) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    for (const PxPoint& p : line.px) box.add(p);
   }
-  return {low, high};
+  return box;
 }
 
 }  // namespace penpose::portrait
