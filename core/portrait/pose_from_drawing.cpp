@@ -23,8 +23,11 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
   if (!face) return face.error();
   auto read = read_drawing(*face, drawing);
   if (!read) return read.error();
-  DrawnPose out{{}, std::move(*read)};
+  DrawnPose out{{}, std::move(*read), {}};
   out.pose = pose_of(rig, *face, start, out.read.shares);
+  const Placement& on_face = out.read.placement;
+  out.sheet = {on_face.along / face->scale(), on_face.across / face->scale(),
+               face->middle() + on_face.shift * (1.0 / face->scale())};
   return out;
 }
 

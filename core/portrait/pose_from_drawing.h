@@ -10,6 +10,7 @@ namespace penpose::portrait {
 struct DrawnPose {
   rig::Pose pose;  ///< all parameters of the rig
   DrawingRead read;
+  Placement sheet;  ///< where it lies in the camera's picture
 };
 
 /// The pose in which the controls of a face have moved by these shares from `start`; values stay in their ranges.

@@ -64,7 +64,8 @@ class Drawer {
     std::size_t number = 0;
     for (const portrait::SurfaceLine& line : portrait::silhouette(camera_, mesh, positions_, tree_)) {
       for (auto& part : parts_in_picture(line)) {
-        if (add(std::move(part), std::string(io::k_contour_name) + std::to_string(number), k_least_contour)) ++number;
+        if (add(std::move(part), std::string(io::k_contour_name) + "_" + std::to_string(number), k_least_contour))
+          ++number;
       }
     }
   }

@@ -9,8 +9,8 @@
 
 namespace penpose::io {
 
-/// How the names of lines begin that are contours of a model: "silhouette_0".
-inline constexpr std::string_view k_contour_name = "silhouette_";
+/// How the names of lines begin that are contours of a model: "silhouette", "silhouette_0".
+inline constexpr std::string_view k_contour_name = "silhouette";
 
 /// A line of a drawing, as a pen would draw it: at least two points, one after the other.
 struct PictureLine {

@@ -80,6 +80,45 @@ TEST(Silhouette, LeavesOutWhatIsHidden) {
   EXPECT_TRUE(far_side);
 }
 
+TEST(Silhouette, GoesOnToWhatHidesItAndKeepsTheSurfaceOnOneSide) {
+  mesh::MeshSource source;
+  add_sphere(source, {0, 0, 2}, 1);
+  add_sphere(source, {0.9, 0, -2}, 1);
+  const Scene scene(std::move(source));
+  ASSERT_EQ(scene.lines.size(), 2U);
+  const auto camera = geometry::Camera::make({{0.3, 0.2, 10}, {0, 0, 0}, {0, 1, 0}, 30}, {1000, 1000}).value();
+  const auto px = [&](const posing::CurvePoint& p) {
+    return camera.project(place_of(p, scene.mesh->positions())).value();
+  };
+  const SurfaceLine& front = scene.lines[0];
+  const SurfaceLine& behind = scene.lines[1];
+  ASSERT_EQ(front.front().vertex, front.back().vertex) << "nothing hides the nearer one";
+  for (const posing::CurvePoint& end : {behind.front(), behind.back()}) {
+    double nearest = 1e300;
+    for (const posing::CurvePoint& p : front) nearest = std::min(nearest, geometry::distance(px(p), px(end)));
+    EXPECT_LT(nearest, 12.0) << "px to the contour that hides it";
+  }
+  // Both go round the same way: twice the area that they go around has one sign.
+  const auto area = [&](const SurfaceLine& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const auto a = px(line[i - 1]), b = px(line[i]);
+      sum += a.x * b.y - a.y * b.x;
+    }
+    return sum;
+  };
+  EXPECT_GT(area(front) * (area(behind) + px(behind.back()).x * px(behind.front()).y -
+                           px(behind.back()).y * px(behind.front()).x),
+            0.0);
+}
+
+TEST(Silhouette, PointBetweenTwoPointsOfATriangle) {
+  const posing::CurvePoint a{{4, 7, 0}, {0.25, 0.75, 0}}, b{{4, 9, 0}, {0.5, 0.5, 0}};
+  const posing::CurvePoint p = point_between(a, b, 0.5);
+  EXPECT_EQ(p.vertex, (std::array<std::uint32_t, 3>{4, 7, 9}));
+  EXPECT_EQ(p.weight, (std::array<double, 3>{0.375, 0.375, 0.25}));
+}
+
 TEST(Silhouette, OfAFlatSheetThatFacesTheCameraIsNothing) {
   mesh::MeshSource source;
   source.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};

@@ -10,11 +10,10 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/commands/apply.h"
 #include "core/document/document_hash.h"
-#include "core/document/features/drawing_start.h"
 #include "core/document/features/feature_curves.h"
-#include "core/portrait/pose_from_drawing.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/drawing_files.h"
+#include "ui/cli/pose/posed_sheet.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
@@ -28,6 +27,9 @@ namespace {
 
 using json::Json;
 
+/// What a contour line was taken for.
+constexpr const char* k_silhouette = "silhouette";
+
 struct DrawArguments {
   std::string model;
   std::vector<std::string> drawings;
@@ -35,6 +37,7 @@ struct DrawArguments {
   std::string curves;
   std::optional<double> yaw_degrees;
   double every_s = 1;
+  bool silhouette = false;
   std::string out;
   bool json = false;
 };
@@ -43,12 +46,27 @@ struct DrawArguments {
 struct Sheet {
   std::string file;
   io::PictureLines drawn;
-  portrait::DrawnPose posed;
+  PosedSheet posed;
   std::optional<double> time_s;  ///< of its key; none: it is no key
 };
 
-Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineRead>& read,
-                const std::vector<portrait::FeatureCurve>& curves) {
+Json line_json(const LineTaken& line, const std::vector<portrait::FeatureCurve>& curves) {
+  if (!line.contour) return serve::line_json(line.read, curves);
+  return {{"curve", line.explained ? Json(k_silhouette) : Json()}};
+}
+
+Json lines_json(const Sheet& sheet, const std::vector<portrait::FeatureCurve>& curves) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < sheet.posed.lines.size(); ++i) {
+    Json row = {{"index", sheet.drawn.lines[i].element}};
+    row.update(line_json(sheet.posed.lines[i], curves));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json neutral_json(const io::PictureLines& drawn, const std::vector<portrait::LineRead>& read,
+                  const std::vector<portrait::FeatureCurve>& curves) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < read.size(); ++i) {
     Json row = {{"index", drawn.lines[i].element}};
@@ -58,34 +76,40 @@ Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineR
   return rows;
 }
 
+/// What a line was taken for, in words.
+std::string words_of(const LineTaken& line, const std::vector<portrait::FeatureCurve>& curves) {
+  if (line.contour) return line.explained ? k_silhouette : "nothing known";
+  if (!line.read.curve) return "nothing known";
+  std::string words = base::shown_name(curves[*line.read.curve].name);
+  if (line.read.from > 0.0 || line.read.to < 1.0) {
+    words += ", " + base::format_fixed(100.0 * line.read.from, 0) + " to " +
+             base::format_fixed(100.0 * line.read.to, 0) + " % of it";
+  }
+  return words;
+}
+
 void print(const Sheet& sheet, const document::Document& document, const std::vector<portrait::FeatureCurve>& curves) {
   if (sheet.time_s)
     std::cout << base::shown_name(sheet.file) << ": key at " << base::format_double(*sheet.time_s) << " s\n";
-  const portrait::DrawnPose& posed = sheet.posed;
-  for (std::size_t i = 0; i < posed.read.lines.size(); ++i) {
-    const portrait::LineRead& line = posed.read.lines[i];
-    std::cout << "line " << sheet.drawn.lines[i].element << ": "
-              << (line.curve ? base::shown_name(curves[*line.curve].name) : std::string("nothing known"));
-    if (line.curve && (line.from > 0.0 || line.to < 1.0)) {
-      std::cout << ", " << base::format_fixed(100.0 * line.from, 0) << " to " << base::format_fixed(100.0 * line.to, 0)
-                << " % of it";
-    }
-    std::cout << '\n';
-  }
+  const std::vector<LineTaken>& lines = sheet.posed.lines;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    std::cout << "line " << sheet.drawn.lines[i].element << ": " << words_of(lines[i], curves) << '\n';
   const auto parameters = document.model->rig->parameters();
   std::size_t moved = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (posed.pose[i] == document.pose[i]) continue;
+    if (sheet.posed.pose[i] == document.pose[i]) continue;
     ++moved;
     std::cout << "  " << base::shown_name(parameters[i].name) << "  " << base::format_fixed(document.pose[i], 4)
-              << " -> " << base::format_fixed(posed.pose[i], 4) << '\n';
+              << " -> " << base::format_fixed(sheet.posed.pose[i], 4) << '\n';
   }
-  const bool known = std::any_of(posed.read.lines.begin(), posed.read.lines.end(),
-                                 [](const portrait::LineRead& line) { return line.curve.has_value(); });
-  if (!known) {
-    std::cout << "no line is a feature of this face, and nothing moves\n";
+  const auto contour = [](const LineTaken& line) { return line.contour; };
+  if (std::none_of(lines.begin(), lines.end(),
+                   [](const LineTaken& line) { return line.explained || line.read.curve.has_value(); })) {
+    std::cout << "no line is a " << (std::all_of(lines.begin(), lines.end(), contour) ? "contour" : "feature")
+              << " of this " << (std::all_of(lines.begin(), lines.end(), contour) ? "model" : "face")
+              << ", and nothing moves\n";
   } else if (moved == 0) {
-    std::cout << "the drawing shows the face at rest\n";
+    std::cout << "the drawing shows the " << (curves.empty() ? "model" : "face") << " at rest\n";
   }
 }
 
@@ -105,8 +129,8 @@ void add_sheet(Json& row, const Sheet& sheet, const std::optional<io::PictureLin
   Json parameters = Json::object();
   for (std::size_t i = 0; i < sheet.posed.pose.size(); ++i) parameters[rig.parameters()[i].name] = sheet.posed.pose[i];
   row["parameters"] = std::move(parameters);
-  row["lines"] = lines_json(sheet.drawn, sheet.posed.read.lines, curves);
-  if (neutral) row["neutral_lines"] = lines_json(*neutral, sheet.posed.read.neutral, curves);
+  row["lines"] = lines_json(sheet, curves);
+  if (neutral) row["neutral_lines"] = neutral_json(*neutral, sheet.posed.neutral, curves);
 }
 
 /// `after`: with what was drawn.
@@ -165,35 +189,46 @@ int draw(const DrawArguments& arguments) {
   const auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model& model = *document->model;
-  const auto vertices = read_curves_file(arguments.curves);
-  if (!vertices) return files::report(vertices.error(), arguments.curves);
   const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
-  const auto features = document::feature_curves_of(model, whole, *vertices);
-  if (!features) return files::report(features.error(), vertices->empty() ? arguments.model : arguments.curves);
-  const auto& curves = features->curves;
+  std::vector<Sheet> sheets;
+  bool features = false;
+  for (const std::string& file : *named) {
+    auto drawn = read_drawing_file(file);
+    if (!drawn) return files::report(drawn.error(), file);
+    features = features || !(arguments.silhouette || std::all_of(drawn->lines.begin(), drawn->lines.end(), is_contour));
+    sheets.push_back({file, std::move(*drawn), {}, std::nullopt});
+  }
+  document::FeatureCurves face;
+  if (features) {
+    const auto vertices = read_curves_file(arguments.curves);
+    if (!vertices) return files::report(vertices.error(), arguments.curves);
+    auto found = document::feature_curves_of(model, whole, *vertices);
+    if (!found) return files::report(found.error(), vertices->empty() ? arguments.model : arguments.curves);
+    face = std::move(*found);
+  }
+  const auto& curves = face.curves;
   std::optional<io::PictureLines> neutral;
   if (!arguments.neutral.empty()) {
     auto read = read_drawing_file(arguments.neutral);
     if (!read) return files::report(read.error(), arguments.neutral);
     neutral = std::move(*read);
+    std::erase_if(neutral->lines, is_contour);
+    if (neutral->lines.empty())
+      return files::report({"it has contours alone", "", "draw the features of the face"}, arguments.neutral);
   }
-  const auto start = document::drawing_start(*document, whole, curves);
-  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start.pose,
-                                                  arguments.yaw_degrees.value_or(model.front_yaw_degrees));
+  SheetReading reading{*document,           whole, curves, {}, arguments.yaw_degrees.value_or(model.front_yaw_degrees),
+                       arguments.silhouette};
+  if (neutral) {
+    for (const io::PictureLine& line : neutral->lines) reading.neutral.push_back(line.points);
+  }
   const auto& before = document->timeline->keys;
   const double first_s = before.empty() ? 0.0 : before.back().time_s + arguments.every_s;
-  std::vector<Sheet> sheets;
-  Progress progress("reading drawings", named->size());
-  for (const std::string& file : *named) {
-    auto drawn = read_drawing_file(file);
-    if (!drawn) return files::report(drawn.error(), file);
-    const portrait::Drawing drawing{drawn_lines(*drawn),
-                                    neutral ? drawn_lines(*neutral) : std::vector<portrait::DrawnLine>{}};
-    auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start.pose, start.free);
-    if (!posed) return files::report(posed.error(), file);
-    Sheet sheet{file, std::move(*drawn), std::move(*posed), std::nullopt};
-    if (keys) sheet.time_s = first_s + arguments.every_s * static_cast<double>(sheets.size());
-    sheets.push_back(std::move(sheet));
+  Progress progress("reading drawings", sheets.size());
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    auto posed = posed_sheet(reading, sheets[i].drawn);
+    if (!posed) return files::report(posed.error(), sheets[i].file);
+    sheets[i].posed = std::move(*posed);
+    if (keys) sheets[i].time_s = first_s + arguments.every_s * static_cast<double>(i);
     progress.advance();
   }
   progress.finish();
@@ -202,7 +237,7 @@ int draw(const DrawArguments& arguments) {
   if (arguments.json) {
     print_json(arguments, sheets, neutral, *after, curves);
   } else {
-    print(sheets, *document, *features);
+    print(sheets, *document, face);
   }
   if (arguments.out.empty()) return k_success;
   if (auto saved = files::save_as_it_came(*after, arguments.out); !saved)
@@ -211,7 +246,9 @@ int draw(const DrawArguments& arguments) {
 }
 
 void add_options(CLI::App& command, DrawArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "model or project with a face")->required();
+  command
+      .add_option("MODEL", arguments.model, "model or project with a face, or with anything that moves its contours")
+      ->required();
   command
       .add_option("DRAWING", arguments.drawings,
                   "lines of a face, in any order and place: SVG, or a picture of them (PNG, JPEG, WebP); several, or a "
@@ -223,14 +260,22 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
                   "the last key that MODEL has")
       ->check(CLI::Validator(number_range(0.001, 3600), "0.001 to 3600"))
       ->capture_default_str();
-  command.add_option("--neutral", arguments.neutral,
-                     "the same hand's drawing of the face at rest, in the same view: takes its proportions out");
-  command.add_option(
-      "--curves", arguments.curves,
-      "JSON file of the model's feature curves; without it the model's own, or those found by the shape of the face");
+  auto* silhouette = command.add_flag(
+      "--silhouette", arguments.silhouette,
+      "all lines are contours of the model, of a body too, as `penpose render --lines` draws them; without it those "
+      "are whose id begins with silhouette");
+  command
+      .add_option("--neutral", arguments.neutral,
+                  "the same hand's drawing of the face at rest, in the same view: takes its proportions out")
+      ->excludes(silhouette);
+  command
+      .add_option("--curves", arguments.curves,
+                  "JSON file of the model's feature curves; without it the model's own, or those found by the shape of "
+                  "the face")
+      ->excludes(silhouette);
   command
       .add_option("--yaw", arguments.yaw_degrees,
-                  "degrees about +Y from which the drawing sees the face; without it from its front")
+                  "degrees about +Y from which the drawing sees the model; without it from its front")
       ->check(CLI::Validator(number_range(-360, 360), "-360 to 360"));
   command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
   command.add_flag("--json", arguments.json, "print one JSON object");
@@ -240,7 +285,7 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
 
 Subcommand draw_subcommand() {
   return subcommand<DrawArguments>(
-      "draw", files::Rights::no_programs, "Poses a face as drawings of it show, without labels", add_options, draw,
+      "draw", files::Rights::no_programs, "Poses a model as drawings of it show, without labels", add_options, draw,
       {"penpose draw face.glb smile.svg -o posed.glb", "the face takes what the drawing shows"},
       {"penpose draw face.glb smile.svg --neutral rest.svg --json",
        "by the same hand's drawing of the face at rest; which line is which, and the pose"},

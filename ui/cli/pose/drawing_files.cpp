@@ -50,15 +50,9 @@ base::Result<io::PictureLines> read_drawing_file(const std::string& path) {
   if (!bytes) return bytes.error();
   auto read = render::read_picture_lines(*bytes);
   if (!read) return read.error();
-  std::erase_if(read->lines, [](const io::PictureLine& line) { return line.name.starts_with(io::k_contour_name); });
-  if (read->lines.empty()) return base::Error{"it has no lines", "", "draw the features of the face as open lines"};
+  if (read->lines.empty())
+    return base::Error{"it has no lines", "", "draw the features of the face or contours as open lines"};
   return read;
-}
-
-std::vector<portrait::DrawnLine> drawn_lines(const io::PictureLines& lines) {
-  std::vector<portrait::DrawnLine> out;
-  for (const io::PictureLine& line : lines.lines) out.push_back(line.points);
-  return out;
 }
 
 base::Result<std::vector<io::VertexCurve>> read_curves_file(const std::string& path) {

@@ -6,7 +6,6 @@
 #include "core/base/result.h"
 #include "core/io/picture_lines/picture_lines.h"
 #include "core/io/project/landmark_file.h"
-#include "core/portrait/read_drawing.h"
 
 namespace penpose::cli {
 
@@ -15,11 +14,8 @@ namespace penpose::cli {
 [[nodiscard]] base::Result<std::vector<std::string>> drawing_files(const std::vector<std::string>& named,
                                                                    const std::string& neutral, std::string& blamed);
 
-/// The lines of a drawing, without contours by their names (io::k_contour_name), which are no features. Errors of the
-/// file and of its reader; it has none.
+/// The lines of a drawing. Errors of the file and of its reader; it has none.
 [[nodiscard]] base::Result<io::PictureLines> read_drawing_file(const std::string& path);
-
-[[nodiscard]] std::vector<portrait::DrawnLine> drawn_lines(const io::PictureLines& lines);
 
 /// The curves of a file that --curves names; none where the path is empty. Errors of the file and of its reader; it
 /// names no curve.

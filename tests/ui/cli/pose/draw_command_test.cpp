@@ -132,6 +132,50 @@ TEST_F(DrawCommand, LinesOfARenderedHeadGiveItsPoseBack) {
   }
 }
 
+TEST_F(DrawCommand, ContoursOfARenderedHeadGiveItsPoseBack) {
+  ASSERT_EQ(run({"render", "builtin:demo", "--set", "jaw=0.5", "--view", "side", "--lines", "-o", path("side.svg")}),
+            k_success)
+      << error_;
+  // What is called a silhouette alone, and then under other names.
+  const std::string all = content("side.svg");
+  std::string contours = all.substr(0, all.find("<path"));
+  for (std::size_t at = all.find("<path id=\"silhouette_"); at != std::string::npos;
+       at = all.find("<path id=\"silhouette_", at + 1))
+    contours += all.substr(at, all.find("/>", at) + 2 - at);
+  contours += "</g></svg>";
+  save("contours.svg", contours);
+  std::string other = contours;
+  for (std::size_t at = other.find("silhouette_"); at != std::string::npos; at = other.find("silhouette_"))
+    other.replace(at, 11, "line");
+  save("other.svg", other);
+  const std::vector<std::vector<std::string>> calls{{path("contours.svg"), "--yaw", "90", "--json"},
+                                                    {path("other.svg"), "--silhouette", "--yaw", "90", "--json"}};
+  for (const auto& call : calls) {
+    ASSERT_EQ(draw(call), k_success) << error_;
+    const Json out = Json::parse(out_);
+    EXPECT_NEAR(out["parameters"]["jaw"].get<double>(), 0.5, 0.05);
+    for (const auto& [name, value] : out["parameters"].items()) {
+      if (name != "jaw") EXPECT_EQ(value, 0.0) << name;
+    }
+    ASSERT_GE(out["lines"].size(), 3U);
+    for (const Json& line : out["lines"]) {
+      EXPECT_EQ(line["curve"], "silhouette");
+      EXPECT_FALSE(line.contains("from"));
+    }
+  }
+  ASSERT_EQ(draw({path("contours.svg"), "--yaw", "90"}), k_success);
+  EXPECT_NE(out_.find("line 0: silhouette\n"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("  jaw  0.0000 -> 0."), std::string::npos) << out_;
+}
+
+TEST_F(DrawCommand, LinesBesideTheModelAreNoContour) {
+  save("off.svg", std::string("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'><g fill='none' "
+                              "stroke='#000'><path d='M10 10 L40 60 L15 90'/><path d='M960 970 L990 900'/></g></svg>"));
+  ASSERT_EQ(draw({path("off.svg"), "--silhouette"}), k_success) << error_;
+  EXPECT_EQ(out_,
+            "line 0: nothing known\nline 1: nothing known\nno line is a contour of this model, and nothing moves\n");
+}
+
 TEST_F(DrawCommand, WhatCannotBeReadIsOneLineThatNamesIt) {
   save("empty.svg", std::string("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'></svg>"));
   save("text.svg", std::string("a face"));
@@ -151,8 +195,12 @@ TEST_F(DrawCommand, WhatCannotBeReadIsOneLineThatNamesIt) {
 }
 
 TEST_F(DrawCommand, WrongUsageIsTwo) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {}, {"a.svg", "--yaw", "400"}, {"a.svg", "--every", "0"}, {"a.svg", "--every", "nan"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"a.svg", "--silhouette", "--curves", "b.json"},
+                                             {"a.svg", "--yaw", "400"},
+                                             {"a.svg", "--every", "0"},
+                                             {"a.svg", "--every", "nan"}}) {
     EXPECT_EQ(draw(arguments), k_wrong_usage);
   }
 }
