@@ -23,7 +23,7 @@ constexpr std::size_t k_most_units = 6;
 constexpr double k_trust = 0.15;
 constexpr double k_gain = 1e-6;
 /// What stays where other lines put it is held like this many looks, each point.
-constexpr double k_kept_looks = 0.5;
+constexpr double k_kept_looks = 4.0;
 /// Points nearer to their contour than this may be there; those that are near none count as so far away.
 constexpr double k_near_px = 4.0;
 constexpr double k_far_px = 60.0;
@@ -67,6 +67,7 @@ ContourSolver::ContourSolver(const rig::Rig& rig, const ContourControls& control
                              std::span<const EvenLine> lines, std::span<const posing::CurvePoint> kept,
                              const rig::Pose& start)
     : rig_(rig), controls_(controls), contours_(contours), lines_(lines), kept_(kept) {
+  costs_.unit = 6;
   costs_.evidence = 0;
   costs_.movement = 2.5;
   quadratic_.reset(controls.variable_count(), 0, 0);

@@ -28,7 +28,7 @@ class SheetPlace {
   /// Squares of all moves in widths of what is usual.
   [[nodiscard]] double squares() const;
   [[nodiscard]] const std::array<double, 4>& moved() const { return moved_; }
-  static constexpr std::array<double, 4> k_widths{4.5, 4.5, 0.006, 0.006};
+  static constexpr std::array<double, 4> k_widths{3.0, 3.0, 0.004, 0.004};
 
  private:
   Placement first_;

@@ -38,7 +38,9 @@ TEST(ContourMatch, TellsBothSidesOfWhatIsThinByDirectionAndOrder) {
   for (const auto& place : match.places) {
     ASSERT_TRUE(place);
     EXPECT_EQ(place->px.x, 312);
-    if (before) EXPECT_GE(place->segment, before->segment);
+    if (before) {
+      EXPECT_GE(place->segment, before->segment);
+    }
     before = place;
   }
   // Drawn from its other end it is the same line.

@@ -112,7 +112,9 @@ TEST(PoseFromContours, AnArmAgainstTheBackgroundFollowsItsOutline) {
       ASSERT_TRUE(posed) << posed.error().what;
       EXPECT_LE(stage.error(posed->pose, meant), 0.1) << angle << " by " << lines.size() << " lines";
       for (std::size_t p = 0; p < meant.size(); ++p) {
-        if (p / 3 != 6) EXPECT_EQ(posed->pose[p], stage.rest[p]) << angle << ": " << p << " moves too";
+        if (p / 3 < 6 || p / 3 > 8) {
+          EXPECT_EQ(posed->pose[p], stage.rest[p]) << angle << ": " << p << " is no part of the arm";
+        }
       }
     }
   }
@@ -203,9 +205,7 @@ TEST(PoseFromContours, WhatOtherLinesHoldStays) {
   const StickContours stage;
   // The arm's outline is drawn raised, but what was read before says that its hand is where it is.
   ContourDrawing drawing{stage.drawn_where_moved(stage.arm(0.3), 6), 1000, 1000, {}, {}};
-  for (const std::uint32_t v : stage.man.along(8)) {
-    for (int k = 0; k < 60; ++k) drawing.kept.push_back(posing::at_vertex(v));
-  }
+  for (const std::uint32_t v : stage.man.along(8)) drawing.kept.push_back(posing::at_vertex(v));
   drawing.placement = Placement{};
   const auto posed = pose_from_contours(*stage.rig, stage.rig->mesh(), stage.whole, drawing,
                                         std::span(&stage.camera, 1), stage.rest, stage.free);

@@ -155,7 +155,9 @@ TEST_F(DrawCommand, ContoursOfARenderedHeadGiveItsPoseBack) {
     const Json out = Json::parse(out_);
     EXPECT_NEAR(out["parameters"]["jaw"].get<double>(), 0.5, 0.05);
     for (const auto& [name, value] : out["parameters"].items()) {
-      if (name != "jaw") EXPECT_EQ(value, 0.0) << name;
+      if (name != "jaw") {
+        EXPECT_EQ(value, 0.0) << name;
+      }
     }
     ASSERT_GE(out["lines"].size(), 3U);
     for (const Json& line : out["lines"]) {

@@ -27,7 +27,9 @@ TEST_F(SharedContours, AnArmIsRaisedByTheOutlineOfTheFigure) {
   const auto out = nlohmann::json::parse(out_);
   EXPECT_NEAR(out["parameters"]["joint16.rx"].get<double>(), -0.8, 0.1);
   for (const auto& [name, value] : out["parameters"].items()) {
-    if (!name.starts_with("joint16")) EXPECT_EQ(value, 0.0) << name;
+    if (!name.starts_with("joint16")) {
+      EXPECT_EQ(value, 0.0) << name;
+    }
   }
   EXPECT_EQ(out["lines"][0]["curve"], "silhouette");
 }
