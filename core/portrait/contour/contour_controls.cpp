@@ -27,7 +27,7 @@ constexpr double k_least_room = 1e-6;
 /// First guesses, shares of a range and half circles.
 constexpr std::array<double, 2> k_shares{0.4, 0.9};
 constexpr std::array<double, 5> k_bends{0.1, 0.2, 0.33, 0.48, 0.65};
-constexpr std::array<double, 2> k_bends_out{0.18, 0.36};
+constexpr std::array<double, 3> k_bends_out{0.12, 0.25, 0.38};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/algebra/cholesky.h"
 #include "core/base/math.h"
@@ -15,8 +16,8 @@ constexpr int k_sheet_rounds = 8;
 constexpr int k_guess_rounds = 4;
 constexpr int k_chosen_rounds = 2;
 constexpr int k_last_rounds = 8;
-/// Guesses that are refined, steps by one unit, and units at most.
-constexpr std::size_t k_guesses = 4;
+/// Guesses that are refined, each of another unit, steps by one unit, and units at most.
+constexpr std::size_t k_guesses = 5;
 constexpr int k_steps = 6;
 constexpr std::size_t k_most_units = 6;
 /// A turn changes by at most so much in one round, half circles; a share of a range by so much.
@@ -274,6 +275,7 @@ std::vector<ContourReading> ContourSolver::explored(const ContourReading& from) 
     if (other && !moves) continue;
     std::vector<std::size_t> units = from.choice.units;
     if (!moves) units.insert(std::lower_bound(units.begin(), units.end(), u), u);
+    std::optional<ContourReading> of_unit;
     for (const std::vector<double>& guess : controls_.guesses(u)) {
       ContourReading one;
       one.sheet = from.sheet;
@@ -291,12 +293,13 @@ std::vector<ContourReading> ContourSolver::explored(const ContourReading& from) 
         }
       }
       measure(one);
-      const auto at = std::upper_bound(best.begin(), best.end(), one.energy,
-                                       [](double energy, const ContourReading& b) { return energy < b.energy; });
-      if (at == best.end() && best.size() >= k_guesses) continue;
-      best.insert(at, std::move(one));
-      if (best.size() > k_guesses) best.pop_back();
+      if (!of_unit || one.energy < of_unit->energy) of_unit = std::move(one);
     }
+    if (!of_unit) continue;
+    const auto at = std::upper_bound(best.begin(), best.end(), of_unit->energy,
+                                     [](double energy, const ContourReading& b) { return energy < b.energy; });
+    best.insert(at, std::move(*of_unit));
+    if (best.size() > k_guesses) best.pop_back();
   }
   return best;
 }

@@ -76,7 +76,7 @@ class ContourSolver {
   [[nodiscard]] ContourReading refined(ContourReading reading, int rounds);
   /// The same with units chosen anew in each.
   [[nodiscard]] ContourReading chosen(ContourReading reading, int rounds);
-  /// The best of all first guesses of one unit more, or of a unit that moves already.
+  /// The best first guesses of one unit more, or of a unit that moves already, one a unit.
   [[nodiscard]] std::vector<ContourReading> explored(const ContourReading& from);
   /// What of the lines lies farther off than a hand strays, in doubt: no unit more gains more than that.
   [[nodiscard]] double standing_out(const ContourReading& reading) const;

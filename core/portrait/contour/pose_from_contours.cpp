@@ -26,6 +26,8 @@ constexpr double k_close = 40.0;
 /// A line is explained where so much of it lies so near to a contour, px.
 constexpr double k_explained = 0.6;
 constexpr double k_explained_px = 14.0;
+/// Where less of all lines does, they are no contours of this model.
+constexpr double k_explained_of_all = 0.5;
 
 base::Result<PxBox> box_of(const ContourDrawing& drawing) {
   if (drawing.lines.empty()) return base::Error{"it has no lines", "", "draw contours of the model as lines"};
@@ -100,16 +102,22 @@ struct View {
   ContourReading still;
 };
 
+/// Which lines lie beside contours, each and all together: scribbles cross some contour somewhere.
 std::vector<bool> explained_lines(std::span<const EvenLine> lines, const ContourReading& reading) {
   std::vector<bool> out;
+  double beside = 0, all = 0;
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    std::size_t near = 0;
+    double near = 0;
     for (std::size_t i = 0; i < lines[l].points.size(); ++i) {
       const auto& place = reading.matches[l].places[i];
-      near += place && geometry::distance(reading.sheet(lines[l].points[i]), place->px) < k_explained_px ? 1U : 0U;
+      near += place && geometry::distance(reading.sheet(lines[l].points[i]), place->px) < k_explained_px ? 1.0 : 0.0;
     }
-    out.push_back(static_cast<double>(near) >= k_explained * static_cast<double>(lines[l].points.size()));
+    const auto points = static_cast<double>(lines[l].points.size());
+    out.push_back(near >= k_explained * points);
+    beside += near * lines[l].spacing;
+    all += points * lines[l].spacing;
   }
+  if (beside < k_explained_of_all * all) out.assign(lines.size(), false);
   return out;
 }
 

@@ -27,7 +27,8 @@ struct ContourDrawing {
 /// The pose whose contours lines are.
 struct ContourPose {
   rig::Pose pose;               ///< all parameters of the rig
-  std::vector<bool> explained;  ///< one a line: whether most of it lies beside a contour of this pose
+  std::vector<bool> explained;  ///< one a line: whether most of it lies beside a contour of this pose; none where most
+                                ///< of all does not
   std::size_t view = 0;         ///< of those given, the likeliest one
   double energy = 0;            ///< what was minimised
 };

@@ -172,6 +172,20 @@ TEST(PoseFromContours, LinesThatAreNoContourMoveNothing) {
   EXPECT_EQ(posed->explained, (std::vector<bool>{false, false}));
 }
 
+TEST(PoseFromContours, ScribblesOverTheModelMoveNothing) {
+  const StickContours stage;
+  Lines lines;
+  for (int l = 0; l < 12; ++l) {
+    lines.emplace_back();
+    for (int i = 0; i < 80; ++i)
+      lines.back().push_back({500 + 450 * std::sin(1.7 * i * (1 + l % 3) + l), 500 + 450 * std::cos(2.3 * i + 2 * l)});
+  }
+  const auto posed = stage.pose(lines);
+  ASSERT_TRUE(posed);
+  EXPECT_EQ(posed->pose, stage.rest);
+  EXPECT_EQ(posed->explained, std::vector<bool>(lines.size(), false));
+}
+
 TEST(PoseFromContours, TheSameLinesGiveTheSameBits) {
   const StickContours stage;
   const Lines lines = stage.drawn(stage.arm(0.7));
