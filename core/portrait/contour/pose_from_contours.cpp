@@ -21,6 +21,8 @@ constexpr double k_outline = 0.7;
 constexpr double k_part = 3.0;
 /// Then it lies less exactly, by this factor.
 constexpr double k_ease_by_box = 4.0;
+/// Lines that are so many times as long as all contours are none, however often they were drawn over.
+constexpr double k_most_drawn = 4.0;
 /// Where two ways to lay it on differ by no more, both are solved for.
 constexpr double k_close = 40.0;
 /// A line is explained where so much of it lies so near to a contour, px.
@@ -52,10 +54,14 @@ base::Result<PxBox> box_of(const ContourDrawing& drawing) {
   return box;
 }
 
-std::vector<EvenLine> even_lines(const ContourDrawing& drawing, double scale) {
+double length_of(const ContourDrawing& drawing) {
   double length = 0;
   for (const auto& line : drawing.lines) length += curve::arc_length<PxPoint>(line);
-  const double spacing = std::max(k_spacing_px / scale, length / k_most_points);
+  return length;
+}
+
+std::vector<EvenLine> even_lines(const ContourDrawing& drawing, double scale) {
+  const double spacing = std::max(k_spacing_px / scale, length_of(drawing) / k_most_points);
   std::vector<EvenLine> out;
   for (const auto& line : drawing.lines) {
     const double own = curve::arc_length<PxPoint>(line);
@@ -72,6 +78,12 @@ struct Laid {
   double ease = 1;  ///< of the sheet
 };
 
+double length_of(const SeenContours& contours) {
+  double length = 0;
+  for (const SeenContour& contour : contours.lines()) length += contour.lengths.back();
+  return length;
+}
+
 /// Ways to lay the sheet on a view in which contours are seen.
 std::vector<Laid> ways_to_lay(const ContourDrawing& drawing, const PxBox& drawn, const SeenContours& contours) {
   if (drawing.placement) return {{*drawing.placement}};
@@ -81,9 +93,8 @@ std::vector<Laid> ways_to_lay(const ContourDrawing& drawing, const PxBox& drawn,
   const PxPoint goal = seen.high - seen.low;
   const PxPoint size = (drawn.high - drawn.low);
   const double by_box = std::sqrt(geometry::dot(goal, goal) / geometry::dot(size, size));
-  double length = 0, outline = 0;
-  for (const auto& line : drawing.lines) length += curve::arc_length<PxPoint>(line);
-  for (const SeenContour& contour : contours.lines()) outline += contour.lengths.back();
+  const double length = length_of(drawing);
+  const double outline = length_of(contours);
   for (const double one : {by_box, goal.y / size.y}) {
     if (!(std::isfinite(one) && one > 0.0)) continue;
     const double missing = std::max(0.0, k_outline - one * length / outline);
@@ -136,18 +147,23 @@ base::Result<ContourPose> pose_from_contours(const rig::Rig& rig, const mesh::Tr
     controls.emplace_back(rig, whole, start, free, camera);
   }
   std::vector<View> ways;
+  bool any_contour = false;
   for (std::size_t v = 0; v < views.size(); ++v) {
     seen[v].look(start);
     if (seen[v].lines().empty()) continue;
+    any_contour = true;
+    const double most = k_most_drawn * length_of(seen[v]);
     for (const Laid& laid : ways_to_lay(drawing, *drawn, seen[v])) {
+      if (laid.placement.scale() * length_of(drawing) > most) continue;
       View one{v, laid.charge, even_lines(drawing, laid.placement.scale()), {}};
       ContourSolver solver(rig, controls[v], seen[v], one.lines, drawing.kept, start);
       one.still = solver.still({laid.placement, laid.placement((drawn->low + drawn->high) * 0.5), laid.ease});
       ways.push_back(std::move(one));
     }
   }
-  if (ways.empty())
+  if (!any_contour)
     return base::Error{"the model has no contour in this view", "", "turn the view or choose a model with a surface"};
+  if (ways.empty()) return ContourPose{start, std::vector<bool>(drawing.lines.size(), false), 0, 0};
   const auto energy = [](const View& view) { return view.still.energy + view.charge; };
   std::stable_sort(ways.begin(), ways.end(), [&](const View& a, const View& b) { return energy(a) < energy(b); });
   ContourReading best;
