@@ -1,6 +1,7 @@
 // Poses from contour lines alone: how far the model is off, and how long it takes.
 //
-//   silhouette_bench FOLDER [--held-out] [-v]      FOLDER: of the models, ict_face.glb, ict_avatar.glb, cesium_man.glb
+//   silhouette_bench FOLDER [--held-out] [-v] [--model NAME]
+//                                  FOLDER: of the models, ict_face.glb, ict_avatar.glb, cesium_man.glb; NAME: of one
 //
 // Each scene is a known pose seen from one side. Its contours of a twentieth of the picture or more are lines by a hand
 // that strays 2.5 px of a picture of 1000 px, once all of them and once only what moved, with a few px beside it; once
@@ -183,10 +184,10 @@ class Stage {
   std::vector<geometry::Camera> camera_;  ///< one
 };
 
-int measure(const std::string& folder, bool held_out, bool loud) {
+int measure(const std::string& folder, const std::string& only, bool held_out, bool loud) {
   std::vector<double> errors, times;
   for (const Scene& scene : scenes()) {
-    if (scene.held_out != held_out) continue;
+    if (scene.held_out != held_out || (!only.empty() && only != scene.model)) continue;
     const std::string path = std::strchr(scene.model, ':') != nullptr ? scene.model : folder + "/" + scene.model;
     const auto model = files::load_model(path);
     if (!model) return std::fprintf(stderr, "%s\n", model.error().line(path).c_str()), 1;
@@ -239,17 +240,19 @@ int measure(const std::string& folder, bool held_out, bool loud) {
 }  // namespace penpose
 
 int main(int count, char** arguments) {
-  std::string folder = ".";
+  std::string folder = ".", only;
   bool held_out = false, loud = false;
   for (int i = 1; i < count; ++i) {
     const std::string one = arguments[i];
     if (one == "--held-out") {
       held_out = true;
+    } else if (one == "--model" && i + 1 < count) {
+      only = arguments[++i];
     } else if (one == "-v") {
       loud = true;
     } else {
       folder = one;
     }
   }
-  return penpose::measure(folder, held_out, loud);
+  return penpose::measure(folder, only, held_out, loud);
 }
