@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "core/curve/polyline.h"
+#include "core/portrait/absent_features.h"
+#include "core/portrait/companions.h"
 #include "core/portrait/proportions.h"
 #include "core/portrait/sheet_warp.h"
 
@@ -243,7 +245,6 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
   auto rest = picture(bound, curves, start, camera);
   if (!rest) return base::Error{"the feature curves lie behind the camera", "", "choose another view"};
   FaceView view;
-  view.curve_count_ = curves.size();
   const Frame frame = frame_of(*rest);
   if (!std::isfinite(frame.scale)) return base::Error{"the feature curves have no extent", "", "choose another view"};
   view.middle_ = frame.middle;
@@ -256,7 +257,7 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
   };
   rest = framed(std::move(*rest));
   std::vector<std::vector<double>> lengths;
-  std::vector<Part> parts;
+  std::vector<Part>& parts = view.parts_;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     lengths.push_back(curve::cumulative_length<PxPoint>((*rest)[c]));
     if (lengths.back().size() < 2 || !(lengths.back().back() > 1e-6)) {
@@ -301,13 +302,28 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
     if (paired && j < other) view.units_.push_back({{j, other}, 2, false});
     view.units_.push_back({{j, j}, 1, paired});
   }
-  view.all_proportions_ = proportions_of(lines, parts);
-  view.proportion_count_ = view.all_proportions_.size();
+  for (std::size_t c = 0; c < curves.size(); ++c) view.meant_.push_back(c);
+  for (AbsentFeature& absent : absent_features(lines, parts)) {
+    parts.push_back(absent.part);
+    view.meant_.push_back(absent.meant);
+    lengths.push_back(curve::cumulative_length<PxPoint>(absent.points));
+    for (auto& way : ways) way.emplace_back(absent.points.size());
+    view.lines_.push_back(std::move(absent.points));
+  }
+  view.curve_count_ = view.lines_.size();
+  view.parting_ = parting_of(lines, parts);
+  view.companions_ = companions_of(lines, parts);
+  for (Proportion& one : proportions_of(lines, parts)) {
+    view.mild_count_ += one.mild ? 1 : 0;
+    view.free_proportions_.push_back(one.free_hand);
+    view.all_proportions_.push_back(std::move(one.ways));
+  }
   for (const auto& length : lengths) view.lengths_.push_back(length.back());
-  for (std::size_t c = 0; c < curves.size(); ++c) {
+  for (std::size_t c = 0; c < view.curve_count_; ++c) {
     for (const auto& [from, to] : k_parts) view.stretches_.push_back(view.stretch(c, from, to));
-    constexpr double k_steady = 8.0;
-    double sum = k_steady * k_steady;
+    constexpr double k_steady = 8.0, k_unknown = 40.0;
+    const double least = view.meant_[c] == c ? k_steady : k_unknown;
+    double sum = least * least;
     const Stretch& whole_curve = view.curve(c);
     for (const Unit& unit : view.units_) {
       for (std::size_t i = 0; i < k_numbers; ++i) {
@@ -321,18 +337,19 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
   }
   view.measure_spreads();
   // What drawings leave out together, for the first guess of where the face is.
-  const auto group = [&](bool jaw, bool brow) {
+  const auto group = [&](std::initializer_list<Part> without) {
     std::vector<std::size_t> taken;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      if ((jaw || parts[c] != Part::jaw) && (brow || parts[c] != Part::brow)) taken.push_back(c);
+    for (std::size_t c = 0; c < view.curve_count_; ++c) {
+      if (std::find(without.begin(), without.end(), parts[c]) == without.end()) taken.push_back(c);
     }
     if (!taken.empty() && std::find(view.groups_.begin(), view.groups_.end(), taken) == view.groups_.end())
       view.groups_.push_back(std::move(taken));
   };
-  group(true, true);
-  group(false, true);
-  group(false, false);
-  group(true, false);
+  group({Part::crown});
+  group({Part::crown, Part::jaw});
+  group({Part::crown, Part::jaw, Part::brow});
+  group({Part::crown, Part::brow});
+  group({});
   return view;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/geometry/camera.h"
 #include "core/intent/model/whole_model.h"
 #include "core/portrait/feature_curve.h"
+#include "core/portrait/proportions.h"
 #include "core/rig/rig.h"
 
 namespace penpose::portrait {
@@ -77,7 +79,19 @@ class FaceView {
   [[nodiscard]] std::span<const Control> controls() const { return controls_; }
   [[nodiscard]] std::span<const Unit> units() const { return units_; }
   [[nodiscard]] std::size_t curve_count() const { return curve_count_; }
-  [[nodiscard]] std::size_t proportion_count() const { return proportion_count_; }
+  /// By how much each proportion usually differs where somebody draws freely.
+  [[nodiscard]] std::span<const double> free_proportions() const { return free_proportions_; }
+  [[nodiscard]] std::size_t proportion_count() const { return free_proportions_.size(); }
+  /// How many of them are mild ones: the first.
+  [[nodiscard]] std::size_t mild_count() const { return mild_count_; }
+  [[nodiscard]] Part part(std::size_t curve) const { return parts_[curve]; }
+  /// A curve that is drawn wherever this one is: the brow and the upper lid of the other side, the upper lid above the
+  /// lower one, the other border of the lips.
+  [[nodiscard]] std::optional<std::size_t> companion(std::size_t curve) const { return companions_[curve]; }
+  /// The borders of the mouth's opening (parting_of).
+  [[nodiscard]] const std::optional<std::array<std::size_t, 2>>& parting() const { return parting_; }
+  /// The curve of the model that one stands for; none: the model has no such feature, but drawings of faces do.
+  [[nodiscard]] std::optional<std::size_t> meant(std::size_t curve) const { return meant_[curve]; }
   /// How far controls move a curve, px, root mean square of what is usual.
   [[nodiscard]] double unrest(std::size_t curve) const { return unrest_[curve]; }
   /// The points of a curve at rest, evenly along it.
@@ -117,7 +131,11 @@ class FaceView {
   std::vector<Unit> units_;
   std::vector<double> unrest_;
   std::vector<std::vector<std::size_t>> groups_;
-  std::size_t curve_count_ = 0, proportion_count_ = 0;
+  std::optional<std::array<std::size_t, 2>> parting_;
+  std::vector<Part> parts_;
+  std::vector<std::optional<std::size_t>> companions_, meant_;
+  std::vector<double> free_proportions_;
+  std::size_t curve_count_ = 0, mild_count_ = 0;
   PxPoint middle_{0, 0};  ///< of the face in the camera's picture
   double scale_ = 1;
 };

@@ -85,20 +85,24 @@ Placement placed(std::span<const Match> matches, const Placement& from) {
     if (!(sum > 0.0)) return from;
     a = a * (1.0 / sum);
     b = b * (1.0 / sum);
-    double square = 0, along = 0, across = 0;
+    double square = 0, goals = 0, along = 0, across = 0;
     k = 0;
     for (const Match& match : matches) {
       for (std::size_t i = 0; i < k_points; ++i, ++k) {
         const double px = match.line[2 * i] - a.x, py = match.line[2 * i + 1] - a.y;
         const double gx = match.goal[2 * i] - b.x, gy = match.goal[2 * i + 1] - b.y;
         square += weighed[k] * (px * px + py * py);
+        goals += weighed[k] * (gx * gx + gy * gy);
         along += weighed[k] * (px * gx + py * gy);
         across += weighed[k] * (px * gy - py * gx);
       }
     }
-    if (!(square > 0.0)) return from;
-    best.along = along / square;
-    best.across = across / square;
+    const double turn = std::sqrt(along * along + across * across);
+    if (!(square > 0.0 && goals > 0.0 && turn > 0.0)) return from;
+    // As large as the goals, which least squares of deviations alone would fall short of.
+    const double scale = std::sqrt(goals / square);
+    best.along = scale * along / turn;
+    best.across = scale * across / turn;
     best.shift = PxPoint{0, 0};
     best.shift = b - best(a);
     k = 0;

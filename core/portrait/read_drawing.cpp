@@ -5,6 +5,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/portrait/reading/reader.h"
+#include "core/portrait/reading/strokes.h"
 
 namespace penpose::portrait {
 namespace {
@@ -36,25 +37,48 @@ base::Result<Sheet> sheet_of(std::span<const DrawnLine> lines, const char* sheet
   return Sheet{(low + high) * 0.5, k_face_px / std::sqrt(size.x * size.x + size.y * size.y)};
 }
 
-std::vector<Trace> traces_of(std::span<const DrawnLine> lines, const Sheet& frame) {
+std::vector<Trace> traces_of(std::span<const Stroke> strokes, const Sheet& frame) {
   std::vector<Trace> out;
-  for (const DrawnLine& line : lines) {
+  for (const Stroke& stroke : strokes) {
     DrawnLine framed;
-    for (const PxPoint& p : line) framed.push_back((p - frame.middle) * frame.scale);
+    for (const PxPoint& p : stroke.points) framed.push_back((p - frame.middle) * frame.scale);
     out.push_back(trace_of(framed));
   }
   return out;
 }
 
-std::vector<LineRead> lines_of(const Stretches& stretches, const Reading& reading) {
-  std::vector<LineRead> out;
-  for (const Label& label : reading.labels) {
-    if (label.stretch == k_nothing) {
-      out.push_back({});
-      continue;
-    }
+/// What was said of each stroke; empty where nothing was.
+std::vector<GivenLabel> given_of(std::span<const Stroke> strokes, std::span<const GivenLabel> given) {
+  std::vector<GivenLabel> out;
+  for (const Stroke& stroke : strokes) {
+    if (!given.empty()) out.push_back(given[stroke.lines.front()]);
+  }
+  return out;
+}
+
+/// What the lines of a drawing were taken for, by their strokes.
+std::vector<LineRead> lines_of(const FaceView& face, const Stretches& stretches, const Reading& reading,
+                               std::span<const Stroke> strokes, std::size_t count) {
+  std::vector<LineRead> out(count);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const Label& label = reading.labels[i];
+    if (label.stretch == k_nothing) continue;
     const Stretch& stretch = stretches[label.stretch];
-    out.push_back({stretch.curve, stretch.from, stretch.to, label.reversed});
+    const auto curve = face.meant(stretch.curve);
+    if (!curve) continue;
+    for (const std::size_t line : strokes[i].lines) {
+      if (strokes[i].lower) {
+        out[line].lower = curve;
+      } else {
+        out[line].curve = curve;
+        out[line].from = stretch.from;
+        out[line].to = stretch.to;
+        out[line].reversed = label.reversed;
+      }
+    }
+  }
+  for (LineRead& line : out) {
+    if (!line.curve) std::swap(line.curve, line.lower);
   }
   return out;
 }
@@ -68,7 +92,7 @@ std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches&
     const auto ways = face.proportion_lines(c);
     std::vector<PxPoint> own(rest.begin(), rest.end()), drawn(rest.size());
     std::vector<double> counts(rest.size(), 0.0);
-    for (std::size_t p = 0; p < ways.size(); ++p) {
+    for (std::size_t p = 0; p < reading.proportions.size(); ++p) {
       for (std::size_t i = 0; i < own.size(); ++i) own[i] = own[i] + ways[p][i] * reading.proportions[p];
     }
     for (std::size_t l = 0; l < lines.size(); ++l) {
@@ -116,6 +140,14 @@ constexpr Hand k_drawn_over{0.03, 1.0};
 /// both stray.
 constexpr Hand k_known_hand{0.02, 1.3};
 
+/// How somebody draws a face of their own, while it is asked what each line is, and once that is known; and what a line
+/// of it costs beyond one of this face.
+constexpr Hand k_free_hand{k_usual_proportion, 2.5, true, false};
+constexpr Hand k_meaning_hand{k_usual_proportion, 1.0, true, true};
+constexpr double k_free_line = 9.0;
+/// Where lines cost no more than this each, they are of this face.
+constexpr double k_like_this_face = 13.0;
+
 }  // namespace
 
 base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing) {
@@ -130,30 +162,42 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
   const auto sheet = on_sheet(drawing.lines, "drawing");
   if (!sheet) return sheet.error();
   const Hand hand = drawing.in_view ? k_drawn_over : Hand{};
-  const auto lines = traces_of(drawing.lines, *sheet);
+  const auto strokes = strokes_of(drawing.lines, drawing.given);
+  const auto given = given_of(strokes, drawing.given);
+  const auto lines = traces_of(strokes, *sheet);
   DrawingRead out;
   std::optional<FaceView> own;
   if (!drawing.neutral.empty()) {
     const auto neutral = on_sheet(drawing.neutral, "neutral drawing");
     if (!neutral) return neutral.error();
-    const auto traces = traces_of(drawing.neutral, *neutral);
-    SheetReader reader(face, traces, {Hand{}, drawing.in_view, true, drawing.given_neutral});
+    const auto neutral_strokes = strokes_of(drawing.neutral, drawing.given_neutral);
+    const auto given_neutral = given_of(neutral_strokes, drawing.given_neutral);
+    const auto traces = traces_of(neutral_strokes, *neutral);
+    SheetReader reader(face, traces, {Hand{}, drawing.in_view, true, given_neutral});
     const Reading reading = reader.read();
-    out.neutral = lines_of(reader.stretches(), reading);
+    out.neutral = lines_of(face, reader.stretches(), reading, neutral_strokes, drawing.neutral.size());
     own = face.drawn_as(rest_of(face, reader.stretches(), reading, traces), true);
   }
   const bool known = own.has_value();
-  const Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, drawing.given};
+  const Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, given};
   SheetReader reader(known ? *own : face, lines, drawn);
   Reading reading = reader.read();
   if (known) {
-    out.lines = lines_of(reader.stretches(), reading);
+    out.lines = lines_of(face, reader.stretches(), reading, strokes, drawing.lines.size());
   } else {
+    // Somebody may have drawn a face of their own instead.
+    const double count = static_cast<double>(lines.size());
+    SheetReader freely(face, lines, {k_free_hand, false, false, given});
+    std::optional<Reading> other;
+    if (!drawing.in_view && reading.energy > k_like_this_face * count) other = freely.read();
+    const bool free = other && other->energy + k_free_line * count < reading.energy;
+    if (free) reading = std::move(*other);
+    const Stretches& stretches = free ? freely.stretches() : reader.stretches();
     // What controls do is drawn in the same proportions.
-    own = face.drawn_as(rest_of(face, reader.stretches(), reading, {}), false);
-    SheetReader again(*own, lines, drawn);
-    reading = again.read_from(reading, reader.stretches());
-    out.lines = lines_of(again.stretches(), reading);
+    own = face.drawn_as(rest_of(face, stretches, reading, {}), false);
+    SheetReader again(*own, lines, free ? Sketching{k_meaning_hand, false, false, given} : drawn);
+    reading = free ? again.posed_as(reading, stretches) : again.read_from(reading, stretches);
+    out.lines = lines_of(face, again.stretches(), reading, strokes, drawing.lines.size());
   }
   out.shares = reading.pose.shares;
   out.proportions = reading.proportions;

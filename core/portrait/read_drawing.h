@@ -32,11 +32,13 @@ struct Drawing {
   std::vector<GivenLabel> given_neutral = {};  ///< the same of `neutral`
 };
 
-/// What a line was taken for: a stretch of a curve.
+/// What a line was taken for: a stretch of a curve. Of a line that is drawn around something, as an eye is, that is its
+/// upper half, and the lower one is another.
 struct LineRead {
   std::optional<std::size_t> curve;  ///< of those of the face; none: nothing known
   double from = 0, to = 1;           ///< shares of the curve's length
   bool reversed = false;             ///< drawn from its end to its beginning
+  std::optional<std::size_t> lower;  ///< the curve of the lower half of a line that is drawn around
 };
 
 struct DrawingRead {

@@ -15,6 +15,7 @@ constexpr double k_one_more = 1.0;
 constexpr double k_again = 2.0;
 constexpr double k_most_apart = 60.0;
 /// Nodes of a search; what was found until then is taken.
+constexpr double k_alone_cost = 18.0;
 constexpr std::size_t k_most_nodes = 4'000;
 
 Trace reversed_of(const Trace& line) {
@@ -43,8 +44,9 @@ double mean_distance(const Trace& a, const Trace& b) {
 /// Depth first, the lines that are clearest first.
 class Search {
  public:
-  Search(const FaceView& face, std::span<const std::vector<Label>> candidates, std::span<const double> distances)
-      : face_(face), candidates_(candidates), distances_(distances), chosen_(candidates.size()) {
+  Search(const FaceView& face, std::span<const std::vector<Label>> candidates, std::span<const double> distances,
+         const Hand& hand)
+      : face_(face), free_(hand.free), candidates_(candidates), distances_(distances), chosen_(candidates.size()) {
     for (std::size_t i = 0; i < candidates.size(); ++i) order_.push_back(i);
     const auto lead = [&](std::size_t i) {
       return candidates[i].size() > 1 ? candidates[i][1].cost - candidates[i][0].cost
@@ -77,6 +79,14 @@ class Search {
     if (++nodes_ > k_most_nodes && found_) return;
     if (found_ && cost + least_[p] >= best_.cost) return;
     if (p == order_.size()) {
+      if (free_) {
+        curves_.clear();
+        for (const Label& label : chosen_) {
+          if (label.stretch != k_nothing) curves_.push_back(face_.stretches()[label.stretch].curve);
+        }
+        cost += cost_of_lone_curves(face_, curves_);
+        if (found_ && cost >= best_.cost) return;
+      }
       best_ = {chosen_, cost};
       found_ = true;
       return;
@@ -90,6 +100,8 @@ class Search {
   }
 
   const FaceView& face_;
+  bool free_;
+  std::vector<std::size_t> curves_;
   std::span<const std::vector<Label>> candidates_;
   std::span<const double> distances_;
   std::vector<std::size_t> order_;
@@ -176,9 +188,19 @@ double cost_of_both(const Stretch& a, const Stretch& b, double apart) {
   return k_one_more + (k_again + upon) * std::min(1.0, shared / 0.3);
 }
 
+double cost_of_lone_curves(const FaceView& face, std::span<const std::size_t> curves) {
+  double cost = 0;
+  for (std::size_t c = 0; c < face.curve_count(); ++c) {
+    const auto companion = face.companion(c);
+    if (!companion || std::find(curves.begin(), curves.end(), c) == curves.end()) continue;
+    if (std::find(curves.begin(), curves.end(), *companion) == curves.end()) cost += k_alone_cost;
+  }
+  return cost;
+}
+
 Assignment assign(const FaceView& face, std::span<const std::vector<Label>> candidates,
-                  std::span<const double> distances) {
-  return Search(face, candidates, distances).run();
+                  std::span<const double> distances, const Hand& hand) {
+  return Search(face, candidates, distances, hand).run();
 }
 
 }  // namespace penpose::portrait

@@ -18,6 +18,8 @@ struct Label {
   std::size_t stretch = 0;  ///< k_nothing: nothing known
   bool reversed = false;    ///< drawn from the end of the stretch to its beginning
   double cost = 0;          ///< Likeness::cost
+  /// Another that the same line is as well, as shut lips are one line.
+  std::size_t also = k_nothing;
   friend bool operator==(const Label& a, const Label& b) { return a.stretch == b.stretch && a.reversed == b.reversed; }
 };
 
@@ -40,12 +42,15 @@ struct Label {
 /// should lie upon each other and do not. `apart`: their distance, px.
 [[nodiscard]] double cost_of_both(const Stretch& a, const Stretch& b, double apart);
 
-/// The labels of least cost, together with what lines of one curve cost: by branch and bound.
+/// What it costs that curves are drawn without their companions, by a hand that draws freely.
+[[nodiscard]] double cost_of_lone_curves(const FaceView& face, std::span<const std::size_t> curves);
+
+/// The labels of least cost, together with what lines of one curve and lone curves cost: by branch and bound.
 struct Assignment {
   std::vector<Label> labels;
   double cost = 0;
 };
 [[nodiscard]] Assignment assign(const FaceView& face, std::span<const std::vector<Label>> candidates,
-                                std::span<const double> distances);
+                                std::span<const double> distances, const Hand& hand);
 
 }  // namespace penpose::portrait

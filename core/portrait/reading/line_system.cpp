@@ -17,18 +17,17 @@ constexpr double k_unit_px = 100.0;
 constexpr double k_scale_doubt = 0.12;
 constexpr double k_shift_doubt = 40.0;
 
-/// A line's columns of a placement: along, across, shift; reversed where it was drawn so.
-std::array<Trace, k_place> placement_columns(const Trace& line, bool reversed, double width) {
+/// What a placement does to a curve: larger, turned, shifted.
+std::array<Trace, k_place> placement_columns(const Trace& curve) {
   std::array<Trace, k_place> out{};
   for (std::size_t i = 0; i < k_points; ++i) {
-    const std::size_t k = reversed ? k_points - 1 - i : i;
-    const double x = line[2 * k] / (k_unit_px * width), y = line[2 * k + 1] / (k_unit_px * width);
-    out[0][2 * i] = -x;
-    out[0][2 * i + 1] = -y;
-    out[1][2 * i] = y;
-    out[1][2 * i + 1] = -x;
-    out[2][2 * i] = -1.0 / width;
-    out[3][2 * i + 1] = -1.0 / width;
+    const double x = curve[2 * i] / k_unit_px, y = curve[2 * i + 1] / k_unit_px;
+    out[0][2 * i] = x;
+    out[0][2 * i + 1] = y;
+    out[1][2 * i] = -y;
+    out[1][2 * i + 1] = x;
+    out[2][2 * i] = 1.0;
+    out[3][2 * i + 1] = 1.0;
   }
   return out;
 }
@@ -36,28 +35,32 @@ std::array<Trace, k_place> placement_columns(const Trace& line, bool reversed, d
 }  // namespace
 
 LineSystem::LineSystem(const FaceView& face, const Stretches& stretches, std::span<const Trace> lines, const Hand& hand)
-    : stretches_(stretches),
+    : face_(face),
+      stretches_(stretches),
       lines_(lines),
       hand_(hand),
       controls_(face.controls().size()),
-      proportions_(face.proportion_count()),
-      size_(controls_ + proportions_ + 1),
-      shares_(controls_, 0.0),
+      proportions_(hand.proportion_count(face)),
+      size_(controls_ + proportions_ + k_place),
       blocks_(stretches.size()) {}
 
-double LineSystem::width() const { return k_width * hand_.width; }
+double LineSystem::width(std::size_t stretch) const {
+  return k_width * hand_.width_of(face_.part(stretches_[stretch].curve));
+}
 
-void LineSystem::bend(std::span<const double> shares) {
-  if (std::equal(shares.begin(), shares.end(), shares_.begin(), shares_.end())) return;
-  shares_.assign(shares.begin(), shares.end());
+void LineSystem::bend(std::span<const double> shares, std::span<const double> proportions) {
+  std::vector<double> bent(shares.begin(), shares.end());
+  bent.insert(bent.end(), proportions.begin(), proportions.end());
+  if (bent == bent_) return;
+  bent_ = std::move(bent);
   blocks_.assign(blocks_.size(), std::nullopt);
 }
 
 std::vector<double> LineSystem::slid_of(const Block& block, const double* column) const {
-  std::vector<double> out(k_slides);
-  for (std::size_t s = 0; s < k_slides; ++s)
+  std::vector<double> out(slides_);
+  for (std::size_t s = 0; s < slides_; ++s)
     out[s] = algebra::dot(block.slides.data() + s * k_numbers, column, k_numbers);
-  algebra::solve_forward(block.factor.data(), k_slides, out.data());
+  algebra::solve_forward(block.factor.data(), slides_, out.data());
   return out;
 }
 
@@ -68,29 +71,33 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   kept.emplace();
   Block& b = *kept;
   const Stretch& stretch = stretches_[number];
+  const double wide = width(number);
   Trace mean = stretch.rest;
-  for (std::size_t j = 0; j < controls_; ++j) {
-    if (shares_[j] == 0.0) continue;
-    for (std::size_t i = 0; i < k_numbers; ++i) mean[i] += shares_[j] * stretch.ways[j][i];
+  for (std::size_t k = 0; k < bent_.size(); ++k) {
+    if (bent_[k] == 0.0) continue;
+    const Trace& way = k < controls_ ? stretch.ways[k] : stretch.proportions[k - controls_];
+    algebra::add_scaled(bent_[k], way.data(), mean.data(), k_numbers);
   }
-  for (const Trace& slide : slides_of(mean, stretch.whole(), stretch.to - stretch.from)) {
-    for (const double v : slide) b.slides.push_back(v / width());
+  const auto slides = slides_of(mean, stretch, face_.part(stretch.curve), hand_);
+  slides_ = slides.size();
+  for (const Trace& slide : slides) {
+    for (const double v : slide) b.slides.push_back(v / wide);
   }
-  b.factor.assign(k_slides * k_slides, 0.0);
-  for (std::size_t i = 0; i < k_slides; ++i) {
+  b.factor.assign(slides_ * slides_, 0.0);
+  for (std::size_t i = 0; i < slides_; ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
-      b.factor[i * k_slides + k] =
+      b.factor[i * slides_ + k] =
           algebra::dot(b.slides.data() + i * k_numbers, b.slides.data() + k * k_numbers, k_numbers) +
           (i == k ? 1.0 : 0.0);
     }
   }
-  (void)algebra::factor(b.factor.data(), k_slides);  // its diagonal is 1 and more
+  (void)algebra::factor(b.factor.data(), slides_);  // its diagonal is 1 and more
   const auto add = [&](const Trace& column) {
-    for (const double v : column) b.columns.push_back(v / width());
+    for (const double v : column) b.columns.push_back(v / wide);
   };
   for (const Trace& way : stretch.ways) add(way);
-  for (const Trace& way : stretch.proportions) add(way);
-  add(stretch.rest);
+  for (std::size_t p = 0; p < proportions_; ++p) add(stretch.proportions[p]);
+  for (const Trace& way : placement_columns(mean)) add(way);
   for (std::size_t c = 0; c < size_; ++c) {
     const auto slid = slid_of(b, b.columns.data() + c * k_numbers);
     b.slid.insert(b.slid.end(), slid.begin(), slid.end());
@@ -100,68 +107,61 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
     for (std::size_t k = 0; k <= i; ++k) {
       b.gram[i * size_ + k] = b.gram[k * size_ + i] =
           algebra::dot(b.columns.data() + i * k_numbers, b.columns.data() + k * k_numbers, k_numbers) -
-          algebra::dot_in_order(b.slid.data() + i * k_slides, b.slid.data() + k * k_slides, k_slides);
+          algebra::dot_in_order(b.slid.data() + i * slides_, b.slid.data() + k * slides_, slides_);
     }
   }
   return b;
 }
 
+Trace LineSystem::off(std::size_t line, std::size_t stretch, bool reversed) const {
+  const Trace there = guess_(lines_[line]);
+  const Trace& rest = stretches_[stretch].rest;
+  const double wide = width(stretch);
+  Trace out{};
+  for (std::size_t i = 0; i < k_points; ++i) {
+    const std::size_t k = reversed ? k_points - 1 - i : i;
+    out[2 * i] = (rest[2 * i] - there[2 * k]) / wide;
+    out[2 * i + 1] = (rest[2 * i + 1] - there[2 * k + 1]) / wide;
+  }
+  return out;
+}
+
 SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<const double> weights) {
-  std::vector<double> gram(size_ * size_, 0.0);
-  std::vector<double> places(k_place * size_, 0.0);  // of placement columns with all others
-  std::array<double, k_place * k_place> own{};
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i].stretch == k_nothing) continue;
-    const Block& b = block(labels[i].stretch);
-    const double weight = weights.empty() ? 1.0 : weights[i];
+  std::vector<double> gram(size_ * size_, 0.0), rest(size_, 0.0);
+  SquaresOfDoubt out;
+  const auto add = [&](std::size_t line, std::size_t stretch, bool reversed, double weight) {
+    const Block& b = block(stretch);
     algebra::add_scaled(weight, b.gram.data(), gram.data(), gram.size());
-    const auto columns = placement_columns(lines_[i], labels[i].reversed, width());
-    std::array<std::vector<double>, k_place> slid;
-    for (std::size_t p = 0; p < k_place; ++p) {
-      slid[p] = slid_of(b, columns[p].data());
-      for (std::size_t c = 0; c < size_; ++c) {
-        places[p * size_ + c] +=
-            weight * (algebra::dot(columns[p].data(), b.columns.data() + c * k_numbers, k_numbers) -
-                      algebra::dot_in_order(slid[p].data(), b.slid.data() + c * k_slides, k_slides));
-      }
-      for (std::size_t q = 0; q <= p; ++q) {
-        own[p * k_place + q] += weight * (algebra::dot(columns[p].data(), columns[q].data(), k_numbers) -
-                                          algebra::dot_in_order(slid[p].data(), slid[q].data(), k_slides));
-      }
+    const Trace off = this->off(line, stretch, reversed);
+    const auto slid = slid_of(b, off.data());
+    for (std::size_t c = 0; c < size_; ++c) {
+      rest[c] += weight * (algebra::dot(off.data(), b.columns.data() + c * k_numbers, k_numbers) -
+                           algebra::dot_in_order(slid.data(), b.slid.data() + c * slides_, slides_));
     }
+    out.constant += weight * (algebra::dot(off.data(), off.data(), k_numbers) -
+                              algebra::dot_in_order(slid.data(), slid.data(), slides_));
+  };
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Label& label = labels[i];
+    if (label.stretch == k_nothing) continue;
+    const double weight = weights.empty() ? 1.0 : weights[i];
+    const bool twice = label.also != k_nothing;
+    add(i, label.stretch, label.reversed, twice ? 0.5 * weight : weight);
+    if (twice) add(i, label.also, label.reversed, 0.5 * weight);
   }
   // Nuisances: proportions, then the placement.
   const std::size_t n = proportions_ + k_place;
   factor_.assign(n * n, 0.0);
   cross_.assign(n * (controls_ + 1), 0.0);
-  const std::size_t rest = controls_ + proportions_;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool place = i >= proportions_;
-    const double* row = place ? places.data() + (i - proportions_) * size_ : gram.data() + (controls_ + i) * size_;
-    for (std::size_t k = 0; k <= i; ++k) {
-      double v = 0;
-      if (k < proportions_) {
-        v = row[controls_ + k];
-      } else {
-        v = own[(i - proportions_) * k_place + (k - proportions_)];
-      }
-      factor_[i * n + k] = v;
-    }
-    if (!place) factor_[i * n + i] += 1.0 / (hand_.proportion * hand_.proportion * doubt_ * doubt_);
-    for (std::size_t j = 0; j < controls_; ++j) cross_[i * (controls_ + 1) + j] = row[j];
-    cross_[i * (controls_ + 1) + controls_] = row[rest];
-  }
-  SquaresOfDoubt out;
-  out.constant = gram[rest * size_ + rest];
-  const std::array<double, k_place> guess = {guess_.along * k_unit_px, guess_.across * k_unit_px, guess_.shift.x,
-                                             guess_.shift.y};
-  for (std::size_t p = 0; p < k_place; ++p) {
-    const double doubt = doubt_ * (p < 2 ? k_scale_doubt * k_unit_px : k_shift_doubt);
-    const double precision = 1.0 / (doubt * doubt);
-    const std::size_t i = proportions_ + p;
-    factor_[i * n + i] += precision;
-    cross_[i * (controls_ + 1) + controls_] -= precision * guess[p];
-    out.constant += precision * guess[p] * guess[p];
+    const double* row = gram.data() + (controls_ + i) * size_;
+    std::copy_n(row + controls_, i + 1, factor_.data() + i * n);
+    const double usual = i < proportions_       ? hand_.usual(face_, i)
+                         : i < proportions_ + 2 ? k_scale_doubt * k_unit_px
+                                                : k_shift_doubt;
+    factor_[i * n + i] += 1.0 / (usual * usual * doubt_ * doubt_);
+    std::copy_n(row, controls_, cross_.data() + i * (controls_ + 1));
+    cross_[i * (controls_ + 1) + controls_] = rest[controls_ + i];
   }
   if (!algebra::factor(factor_.data(), n)) factor_.assign(n * n, 0.0);
   // L^-1 of the rows, for all columns at once.
@@ -176,7 +176,7 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<cons
   out.pull.assign(controls_, 0.0);
   for (std::size_t j = 0; j < controls_; ++j) {
     std::copy_n(gram.data() + j * size_, controls_, out.curvature.data() + j * controls_);
-    out.pull[j] = -gram[j * size_ + rest];
+    out.pull[j] = -rest[j];
   }
   for (std::size_t i = 0; i < n; ++i) {
     const double* const row = cross_.data() + i * width;
@@ -204,34 +204,38 @@ LineSystem::Fitted LineSystem::fitted(std::span<const double> shares) const {
   }
   Fitted out;
   out.proportions.assign(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(proportions_));
-  out.placement = {u[proportions_] / k_unit_px, u[proportions_ + 1] / k_unit_px,
-                   PxPoint{u[proportions_ + 2], u[proportions_ + 3]}};
+  std::copy_n(u.begin() + static_cast<std::ptrdiff_t>(proportions_), k_place, out.change.begin());
+  // The curves became larger, turned and shifted to meet the lines; the lines, then, the other way.
+  const double along = 1.0 + out.change[0] / k_unit_px, across = out.change[1] / k_unit_px;
+  const double square = along * along + across * across;
+  const auto back = [&](double x, double y) {
+    return PxPoint{(x * along + y * across) / square, (y * along - x * across) / square};
+  };
+  const PxPoint turned = back(guess_.along, guess_.across);
+  out.placement = {turned.x, turned.y, back(guess_.shift.x - out.change[2], guess_.shift.y - out.change[3])};
   return out;
 }
 
 std::vector<double> LineSystem::left(std::span<const Label> labels, std::span<const double> shares,
                                      const Fitted& fitted) {
-  std::vector<double> out;
-  const std::array<double, k_place> place = {fitted.placement.along * k_unit_px, fitted.placement.across * k_unit_px,
-                                             fitted.placement.shift.x, fitted.placement.shift.y};
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i].stretch == k_nothing) {
-      out.push_back(0.0);
-      continue;
+  std::vector<double> factors(shares.begin(), shares.end());
+  factors.insert(factors.end(), fitted.proportions.begin(), fitted.proportions.end());
+  factors.insert(factors.end(), fitted.change.begin(), fitted.change.end());
+  const auto squares_at = [&](std::size_t line, std::size_t stretch, bool reversed) {
+    const Block& b = block(stretch);
+    Trace off = this->off(line, stretch, reversed);
+    for (std::size_t c = 0; c < size_; ++c) {
+      if (factors[c] != 0.0) algebra::add_scaled(factors[c], b.columns.data() + c * k_numbers, off.data(), k_numbers);
     }
-    const Block& b = block(labels[i].stretch);
-    Trace off{};
-    std::copy_n(b.columns.data() + (size_ - 1) * k_numbers, k_numbers, off.data());
-    for (std::size_t j = 0; j < controls_; ++j) {
-      if (shares[j] != 0.0) algebra::add_scaled(shares[j], b.columns.data() + j * k_numbers, off.data(), k_numbers);
-    }
-    for (std::size_t p = 0; p < proportions_; ++p)
-      algebra::add_scaled(fitted.proportions[p], b.columns.data() + (controls_ + p) * k_numbers, off.data(), k_numbers);
-    const auto columns = placement_columns(lines_[i], labels[i].reversed, width());
-    for (std::size_t p = 0; p < k_place; ++p) algebra::add_scaled(place[p], columns[p].data(), off.data(), k_numbers);
     const auto slid = slid_of(b, off.data());
-    out.push_back(algebra::dot(off.data(), off.data(), k_numbers) -
-                  algebra::dot_in_order(slid.data(), slid.data(), k_slides));
+    return algebra::dot(off.data(), off.data(), k_numbers) - algebra::dot_in_order(slid.data(), slid.data(), slides_);
+  };
+  std::vector<double> out(labels.size(), 0.0);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Label& label = labels[i];
+    if (label.stretch == k_nothing) continue;
+    out[i] = squares_at(i, label.stretch, label.reversed);
+    if (label.also != k_nothing) out[i] = 0.5 * (out[i] + squares_at(i, label.also, label.reversed));
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -22,14 +23,17 @@ class LineSystem {
   /// `lines`: of a sheet about as large as k_face_px, about its middle. Both must outlive it.
   LineSystem(const FaceView& face, const Stretches& stretches, std::span<const Trace> lines, const Hand& hand);
 
-  /// Lets lines slide along curves as they are in this pose.
-  void bend(std::span<const double> shares);
+  /// Lets lines slide along curves as they are in this pose and these proportions, none for those of the model, and
+  /// takes what a placement does from there.
+  void bend(std::span<const double> shares, std::span<const double> proportions);
 
-  /// The first guess of the placement. `doubt`: of placement and proportions, of what is usual.
+  /// The first guess of the placement, in whose frame hands stray. `doubt`: of placement and proportions, of what is
+  /// usual.
   void place_near(const Placement& guess, double doubt) {
     guess_ = guess;
     doubt_ = doubt;
   }
+  [[nodiscard]] const Placement& guess() const { return guess_; }
 
   /// `weights`: of the squares of each line; empty: all 1.
   [[nodiscard]] SquaresOfDoubt squares(std::span<const Label> labels, std::span<const double> weights = {});
@@ -37,6 +41,7 @@ class LineSystem {
   struct Fitted {
     Placement placement;
     std::vector<double> proportions;
+    std::array<double, 4> change{};  ///< of the curves, towards the lines where the guess lays them
   };
   [[nodiscard]] Fitted fitted(std::span<const double> shares) const;
   /// The squares of doubt of each line there; 0 for those that are nothing known.
@@ -45,24 +50,27 @@ class LineSystem {
 
  private:
   struct Block {
-    std::vector<double> columns;  ///< rows of k_numbers: ways, proportions, rest
-    std::vector<double> slid;     ///< rows of k_slides: what sliding takes of each column
+    std::vector<double> columns;  ///< rows of k_numbers: ways, proportions, placement
+    std::vector<double> slid;     ///< one a slide: what sliding takes of each column
     std::vector<double> factor;   ///< of the slides' matrix
     std::vector<double> slides;   ///< rows of k_numbers
     std::vector<double> gram;
   };
+  /// From a line, where the guess lays it, to its stretch at rest, over the width of doubt.
+  [[nodiscard]] Trace off(std::size_t line, std::size_t stretch, bool reversed) const;
   /// The width of doubt of a point, px of the face.
-  [[nodiscard]] double width() const;
+  [[nodiscard]] double width(std::size_t stretch) const;
   const Block& block(std::size_t stretch);
   [[nodiscard]] std::vector<double> slid_of(const Block& block, const double* column) const;
 
+  const FaceView& face_;
   const Stretches& stretches_;
   std::span<const Trace> lines_;
   Hand hand_;
-  std::size_t controls_, proportions_, size_;
+  std::size_t controls_, proportions_, size_, slides_ = 0;
   Placement guess_;
   double doubt_ = 1;
-  std::vector<double> shares_;
+  std::vector<double> bent_;  ///< shares, then proportions
   std::vector<std::optional<Block>> blocks_;
   // Of the last squares(): the factor of the nuisances' matrix, and its rows for all columns.
   std::vector<double> factor_, cross_;

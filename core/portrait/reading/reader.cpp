@@ -99,7 +99,7 @@ SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, con
       apart_(distances_between(lines)),
       first_(face, Belief{{}, {}, 1.0}, sketching.hand),
       system_(face, stretches_, lines, sketching.hand),
-      solver_(face) {}
+      solver_(face, sketching.hand) {}
 
 std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
   std::vector<Trace> out;
@@ -121,7 +121,7 @@ SheetReader::Guess SheetReader::guess_from(Placement placement, int rounds) {
   Guess guess;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Trace> lines = on_face(placement);
-    const auto assigned = assign(face_, candidates(first_, lines), apart_);
+    const auto assigned = assign(face_, candidates(first_, lines), apart_, hand_);
     guess = {assigned.labels, placement,
              assigned.cost - k_measured * known_lines(assigned.labels) * base::log(placement.scale())};
     std::vector<Match> matches;
@@ -173,10 +173,29 @@ std::vector<SheetReader::Guess> SheetReader::guesses() {
   return best_of(std::move(all), k_followed);
 }
 
+void SheetReader::join_shut_lips(std::vector<Label>& labels) {
+  const auto& parting = face_.parting();
+  if (!parting) return;
+  std::array<bool, 2> drawn{};
+  for (Label& label : labels) {
+    label.also = k_nothing;
+    if (label.stretch == k_nothing) continue;
+    for (const std::size_t k : {0, 1}) drawn[k] = drawn[k] || stretches_[label.stretch].curve == (*parting)[k];
+  }
+  if (drawn[0] == drawn[1]) return;
+  const std::size_t shown = (*parting)[drawn[0] ? 0 : 1], other = (*parting)[drawn[0] ? 1 : 0];
+  for (Label& label : labels) {
+    if (label.stretch == k_nothing || stretches_[label.stretch].curve != shown) continue;
+    const Stretch& stretch = stretches_[label.stretch];
+    label.also = stretches_.near(other, stretch.from, stretch.to);
+  }
+}
+
 std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span<const std::size_t> units,
                                             double most) {
   Reading reading;
   double beside = 0;
+  if (hand_.free) join_shut_lips(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].stretch == k_nothing) {
       beside += k_nothing_energy;
@@ -188,6 +207,13 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
       if (labels[k].stretch == k_nothing) continue;
       beside += cost_of_both(own, stretches_[labels[k].stretch], apart_[i * labels.size() + k]);
     }
+  }
+  if (hand_.free) {
+    std::vector<std::size_t> curves;
+    for (const Label& label : labels) {
+      if (label.stretch != k_nothing) curves.push_back(stretches_[label.stretch].curve);
+    }
+    beside += cost_of_lone_curves(face_, curves);
   }
   if (beside > most) return std::nullopt;
   const SquaresOfDoubt squares = system_.squares(labels);
@@ -210,11 +236,14 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   reading.placement = fitted.placement;
   reading.proportions = fitted.proportions;
   double unusual = 0;
-  for (const double p : reading.proportions) unusual += p * p / (hand_.proportion * hand_.proportion);
+  for (std::size_t p = 0; p < reading.proportions.size(); ++p) {
+    const double times = reading.proportions[p] / hand_.usual(face_, p);
+    unusual += times * times;
+  }
   // What is unlikely in itself does not become likelier because lines are met badly.
   reading.energy = reading.pose.energy + solver_.energy_of(reading.pose.squares + ignored - unusual) -
                    solver_.energy_of(reading.pose.squares) + unusual + beside -
-                   k_measured * known_lines(labels) * base::log(std::max(1e-9, reading.placement.scale()));
+                   k_measured * known_lines(labels) * base::log(std::max(1e-9, system_.guess().scale()));
   reading.labels = std::move(labels);
   return reading;
 }
@@ -230,7 +259,7 @@ std::vector<Label> SheetReader::fine(std::vector<Label> labels, const Reading& r
     for (std::size_t j = 0; j < whole.ways.size(); ++j) {
       for (std::size_t k = 0; k < k_numbers; ++k) there[k] += reading.pose.shares[j] * whole.ways[j][k];
     }
-    for (std::size_t p = 0; p < whole.proportions.size(); ++p) {
+    for (std::size_t p = 0; p < reading.proportions.size(); ++p) {
       for (std::size_t k = 0; k < k_numbers; ++k) there[k] += reading.proportions[p] * whole.proportions[p][k];
     }
     double from = share_nearest(there, {lines[i][0], lines[i][1]});
@@ -243,16 +272,16 @@ std::vector<Label> SheetReader::fine(std::vector<Label> labels, const Reading& r
 
 Reading SheetReader::settled(std::vector<Label> labels, const Placement& placement, double doubt) {
   constexpr int k_settling = 3;
-  system_.bend(std::vector<double>(face_.controls().size(), 0.0));
+  system_.bend(std::vector<double>(face_.controls().size(), 0.0), {});
   system_.place_near(placement, std::min(doubt, k_first_doubt));
   auto last = key_of(labels);
   Reading reading = *read_as(std::move(labels), {}, k_any);
   for (int round = 0; round < k_settling; ++round) {
-    system_.bend(reading.pose.shares);
+    system_.bend(reading.pose.shares, reading.proportions);
     if (round > 0) system_.place_near(placement, doubt);
     const Likeness likeness(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
-    auto assigned = assign(face_, candidates(likeness, lines), apart_);
+    auto assigned = assign(face_, candidates(likeness, lines), apart_, hand_);
     const bool same = key_of(assigned.labels) == last;
     last = key_of(assigned.labels);
     reading = *read_as(fine(std::move(assigned.labels), reading), reading.pose.units, k_any);
@@ -265,7 +294,7 @@ Reading SheetReader::improved(Reading reading) {
   constexpr int k_improving = 6;
   std::set<std::vector<std::size_t>> tried;
   for (int round = 0; round < k_improving; ++round) {
-    system_.bend(reading.pose.shares);
+    system_.bend(reading.pose.shares, reading.proportions);
     const Likeness near(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
     Reading best = reading;
@@ -330,9 +359,25 @@ Reading SheetReader::read_from(const Reading& other, const Stretches& stretches)
     const Stretch& one = stretches[label.stretch];
     label.stretch = stretches_.near(one.curve, one.from, one.to);
   }
-  system_.bend(other.pose.shares);
+  system_.bend(other.pose.shares, other.proportions);
   system_.place_near(other.placement, doubt_of(other.placement));
   return improved(*read_as(std::move(labels), other.pose.units, k_any));
+}
+
+Reading SheetReader::posed_as(const Reading& other, const Stretches& stretches) {
+  constexpr int k_rounds_of_pose = 3;
+  Reading reading = other;
+  for (Label& label : reading.labels) {
+    if (label.stretch == k_nothing) continue;
+    const Stretch& one = stretches[label.stretch];
+    label.stretch = stretches_.near(one.curve, one.from, one.to);
+  }
+  for (int round = 0; round < k_rounds_of_pose; ++round) {
+    system_.bend(reading.pose.shares, reading.proportions);
+    system_.place_near(other.placement, 1.0);
+    reading = *read_as(std::move(reading.labels), reading.pose.units, k_any);
+  }
+  return reading;
 }
 
 Reading SheetReader::read() {

@@ -37,6 +37,8 @@ class SheetReader {
   [[nodiscard]] Reading read();
   /// From what another reader of the same lines found, with its stretches.
   [[nodiscard]] Reading read_from(const Reading& other, const Stretches& stretches);
+  /// The pose alone, for its labels.
+  [[nodiscard]] Reading posed_as(const Reading& other, const Stretches& stretches);
   [[nodiscard]] const Stretches& stretches() const { return stretches_; }
 
  private:
@@ -51,6 +53,8 @@ class SheetReader {
   [[nodiscard]] bool is_given(std::size_t line) const { return line < given_.size() && given_[line].has_value(); }
   [[nodiscard]] std::vector<Guess> guesses();
   [[nodiscard]] std::vector<Trace> on_face(const Placement& placement) const;
+  /// Where only one border of the mouth's opening is drawn, the lips are shut and it is both.
+  void join_shut_lips(std::vector<Label>& labels);
   /// The best pose for labels, lines sliding along curves as they are in the last pose.
   /// `least`: nothing is returned where the energy without more units is above this.
   [[nodiscard]] std::optional<Reading> read_as(std::vector<Label> labels, std::span<const std::size_t> units,
