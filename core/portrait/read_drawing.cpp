@@ -51,7 +51,8 @@ std::vector<Trace> traces_of(std::span<const Stroke> strokes, const Sheet& frame
 std::vector<GivenLabel> given_of(std::span<const Stroke> strokes, std::span<const GivenLabel> given) {
   std::vector<GivenLabel> out;
   for (const Stroke& stroke : strokes) {
-    if (!given.empty()) out.push_back(given[stroke.lines.front()]);
+    const std::size_t line = stroke.lines.front();
+    if (!given.empty()) out.push_back(line < given.size() ? given[line] : std::nullopt);
   }
   return out;
 }

@@ -89,7 +89,8 @@ class Artist {
     const auto lines = seen(rest_);
     std::vector<portrait::Part> parts;
     for (const auto& curve : curves_) parts.push_back(portrait::part_named(curve.name));
-    const auto ways = portrait::proportions_of(lines, parts);
+    auto ways = portrait::proportions_of(lines, parts);
+    std::erase_if(ways, [](const portrait::Proportion& one) { return !one.mild; });
     std::vector<PxPoint> from, to;
     std::vector<double> factors;
     for (std::size_t p = 0; p < ways.size(); ++p)
@@ -98,7 +99,7 @@ class Artist {
       for (std::size_t i = 0; i < lines[c].size(); i += std::max<std::size_t>(1, lines[c].size() / 7)) {
         from.push_back(lines[c][i]);
         to.push_back(lines[c][i]);
-        for (std::size_t p = 0; p < ways.size(); ++p) to.back() = to.back() + ways[p][c][i] * factors[p];
+        for (std::size_t p = 0; p < ways.size(); ++p) to.back() = to.back() + ways[p].ways[c][i] * factors[p];
       }
     }
     return {from, to};

@@ -6,7 +6,9 @@ using json::Json;
 
 Json line_json(const portrait::LineRead& line, std::span<const portrait::FeatureCurve> curves) {
   if (!line.curve) return {{"curve", Json()}};
-  return {{"curve", curves[*line.curve].name}, {"from", line.from}, {"to", line.to}, {"reversed", line.reversed}};
+  Json row = {{"curve", curves[*line.curve].name}, {"from", line.from}, {"to", line.to}, {"reversed", line.reversed}};
+  if (line.lower) row["lower"] = curves[*line.lower].name;
+  return row;
 }
 
 }  // namespace penpose::serve

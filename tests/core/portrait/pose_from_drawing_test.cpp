@@ -19,6 +19,16 @@ struct Drawn {
   std::size_t curve = 0;
 };
 
+/// A line from one point to another that bows down by so much, in the middle.
+DrawnLine bow(PxPoint from, PxPoint to, double down) {
+  DrawnLine line;
+  for (int i = 0; i <= 20; ++i) {
+    const double t = i / 20.0;
+    line.push_back(from * (1.0 - t) + to * t + PxPoint{0.8 * std::sin(5.0 * t), 4.0 * t * (1.0 - t) * down});
+  }
+  return line;
+}
+
 class DrawingOfTheHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -176,6 +186,47 @@ TEST_F(DrawingOfTheHead, FromBesideItIsReadInThatView) {
   const auto read = this->read({lines(drawn), {}}, 20);
   ASSERT_TRUE(read);
   EXPECT_LT(error(read->pose, laugh()), 0.3);
+}
+
+TEST_F(DrawingOfTheHead, ASmileOfSixFlatStrokesIsOne) {
+  // Eyes far apart and of one arc each, a wide mouth, proportions that are not the head's.
+  const std::vector<DrawnLine> face = {bow({185, 180}, {310, 178}, -22), bow({390, 178}, {515, 182}, -22),
+                                       bow({200, 275}, {300, 275}, -34), bow({400, 275}, {500, 275}, -34),
+                                       bow({332, 395}, {370, 395}, 12),  bow({235, 470}, {465, 470}, 52)};
+  const std::vector<const char*> meant = {"brow_R", "brow_L", "eyelid_upper_R", "eyelid_upper_L", "nose", "lip"};
+  const auto read = this->read({face, {}});
+  ASSERT_TRUE(read);
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    ASSERT_TRUE(read->read.lines[i].curve) << meant[i];
+    EXPECT_EQ((*curves_)[*read->read.lines[i].curve].name.rfind(meant[i], 0), 0U) << meant[i];
+  }
+  for (const char* corner : {"mouth_corner_L", "mouth_corner_R"})
+    EXPECT_GT(read->pose[rig::find_parameter(rig().parameters(), corner).value()], 0.2) << corner;
+}
+
+TEST_F(DrawingOfTheHead, AnEyeThatIsDrawnAroundIsBothLids) {
+  const auto eye = [](double left) {
+    DrawnLine line = bow({left, 165}, {left + 53, 165}, -18);
+    const DrawnLine below = bow({left + 53, 165}, {left, 165}, 15);
+    line.insert(line.end(), below.begin() + 1, below.end());
+    return line;
+  };
+  const std::vector<DrawnLine> face = {
+      bow({100, 128}, {156, 96}, 4),  bow({244, 98}, {300, 126}, 4),   eye(105), eye(243),
+      bow({188, 234}, {212, 234}, 6), bow({150, 300}, {252, 302}, -20)};
+  const auto read = this->read({face, {}});
+  ASSERT_TRUE(read);
+  const auto name = [&](const std::optional<std::size_t>& curve) {
+    return curve ? (*curves_)[*curve].name : std::string();
+  };
+  EXPECT_EQ(name(read->read.lines[2].curve), "eyelid_upper_R");
+  EXPECT_EQ(name(read->read.lines[2].lower), "eyelid_lower_R");
+  EXPECT_EQ(name(read->read.lines[3].curve), "eyelid_upper_L");
+  EXPECT_EQ(name(read->read.lines[3].lower), "eyelid_lower_L");
+  EXPECT_EQ(name(read->read.lines[0].curve), "brow_R");
+  EXPECT_EQ(name(read->read.lines[1].curve), "brow_L");
+  for (const char* inner : {"brow_inner_L", "brow_inner_R"})
+    EXPECT_GT(read->pose[rig::find_parameter(rig().parameters(), inner).value()], 0.1) << inner;
 }
 
 TEST_F(DrawingOfTheHead, WhatIsNoFeatureIsSaidAndMovesNothing) {

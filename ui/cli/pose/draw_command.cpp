@@ -85,6 +85,7 @@ std::string words_of(const LineTaken& line, const std::vector<portrait::FeatureC
     words += ", " + base::format_fixed(100.0 * line.read.from, 0) + " to " +
              base::format_fixed(100.0 * line.read.to, 0) + " % of it";
   }
+  if (line.read.lower) words += ", and " + base::shown_name(curves[*line.read.lower].name) + " below";
   return words;
 }
 
