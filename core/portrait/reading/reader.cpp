@@ -19,8 +19,8 @@ constexpr double k_doubt_left = 0.35;
 constexpr std::size_t k_followed = 3;
 /// First guesses that are refined, and those of them that are turned, too.
 constexpr std::size_t k_refined = 4, k_turned = 2;
-/// Rounds of labels and placement in turn.
-constexpr int k_rounds = 5;
+/// Rounds of labels and placement in turn; of the pose alone.
+constexpr int k_rounds = 5, k_rounds_of_pose = 3;
 /// Doubt of placement and proportions while the first pose is sought: it would shrink a face to explain a laugh.
 constexpr double k_first_doubt = 0.1;
 constexpr double k_any = std::numeric_limits<double>::infinity();
@@ -179,8 +179,8 @@ void SheetReader::join_shut_lips(std::vector<Label>& labels) {
   std::array<bool, 2> drawn{};
   for (Label& label : labels) {
     label.also = k_nothing;
-    if (label.stretch == k_nothing) continue;
-    for (const std::size_t k : {0, 1}) drawn[k] = drawn[k] || stretches_[label.stretch].curve == (*parting)[k];
+    for (const std::size_t k : {0, 1})
+      drawn[k] = drawn[k] || (label.stretch != k_nothing && stretches_[label.stretch].curve == (*parting)[k]);
   }
   if (drawn[0] == drawn[1]) return;
   const std::size_t shown = (*parting)[drawn[0] ? 0 : 1], other = (*parting)[drawn[0] ? 1 : 0];
@@ -365,7 +365,6 @@ Reading SheetReader::read_from(const Reading& other, const Stretches& stretches)
 }
 
 Reading SheetReader::posed_as(const Reading& other, const Stretches& stretches) {
-  constexpr int k_rounds_of_pose = 3;
   Reading reading = other;
   for (Label& label : reading.labels) {
     if (label.stretch == k_nothing) continue;
