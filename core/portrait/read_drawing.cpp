@@ -148,6 +148,8 @@ constexpr Hand k_meaning_hand{k_usual_proportion, 1.0, true, true};
 constexpr double k_free_line = 9.0;
 /// Where lines cost no more than this each, they are of this face.
 constexpr double k_like_this_face = 13.0;
+/// Freely drawn faces cost no more than this a line; houses, trees and scribbles do.
+constexpr double k_most_free = 14.0;
 
 }  // namespace
 
@@ -183,17 +185,22 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
   const Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, given};
   SheetReader reader(known ? *own : face, lines, drawn);
   Reading reading = reader.read();
-  if (known) {
+  // What is drawn over a face is in its proportions.
+  if (known || drawing.in_view) {
     out.lines = lines_of(face, reader.stretches(), reading, strokes, drawing.lines.size());
   } else {
     // Somebody may have drawn a face of their own instead.
     const double count = static_cast<double>(lines.size());
-    SheetReader freely(face, lines, {k_free_hand, false, false, given});
+    std::optional<SheetReader> freely;
     std::optional<Reading> other;
-    if (!drawing.in_view && reading.energy > k_like_this_face * count) other = freely.read();
-    const bool free = other && other->energy + k_free_line * count < reading.energy;
+    if (!drawing.in_view && reading.energy > k_like_this_face * count) {
+      freely.emplace(face, lines, Sketching{k_free_hand, false, false, given});
+      other = freely->read();
+    }
+    const bool free =
+        other && other->energy < k_most_free * count && other->energy + k_free_line * count < reading.energy;
     if (free) reading = std::move(*other);
-    const Stretches& stretches = free ? freely.stretches() : reader.stretches();
+    const Stretches& stretches = free ? freely->stretches() : reader.stretches();
     // What controls do is drawn in the same proportions.
     own = face.drawn_as(rest_of(face, stretches, reading, {}), false);
     SheetReader again(*own, lines, free ? Sketching{k_meaning_hand, false, false, given} : drawn);

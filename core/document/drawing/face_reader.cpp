@@ -24,6 +24,7 @@ std::vector<bool> move_drawn(const portrait::FaceView& face, const std::vector<p
   std::vector<bool> drawn(face.curve_count(), false);
   for (const portrait::LineRead& line : lines) {
     if (line.curve) drawn[*line.curve] = true;
+    if (line.lower) drawn[*line.lower] = true;
   }
   std::vector<bool> out;
   for (std::size_t j = 0; j < face.controls().size(); ++j) {
