@@ -150,6 +150,8 @@ constexpr double k_free_line = 9.0;
 constexpr double k_like_this_face = 13.0;
 /// Freely drawn faces cost no more than this a line; houses, trees and scribbles do.
 constexpr double k_most_free = 14.0;
+/// What costs more than this a line is no face at all.
+constexpr double k_no_face = 24.0;
 
 }  // namespace
 
@@ -200,6 +202,13 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
     const bool free =
         other && other->energy < k_most_free * count && other->energy + k_free_line * count < reading.energy;
     if (free) reading = std::move(*other);
+    if (!drawing.in_view && reading.energy > k_no_face * count) {
+      out.lines.resize(drawing.lines.size());
+      out.shares.assign(face.controls().size(), 0.0);
+      out.proportions.assign(face.mild_count(), 0.0);
+      out.energy = reading.energy;
+      return out;
+    }
     const Stretches& stretches = free ? freely->stretches() : reader.stretches();
     // What controls do is drawn in the same proportions.
     own = face.drawn_as(rest_of(face, stretches, reading, {}), false);

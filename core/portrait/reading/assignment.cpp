@@ -14,8 +14,12 @@ constexpr double k_continues = 0.12;
 constexpr double k_one_more = 1.0;
 constexpr double k_again = 2.0;
 constexpr double k_most_apart = 60.0;
-/// Nodes of a search; what was found until then is taken.
 constexpr double k_alone_cost = 18.0;
+/// A mouth of one line is its opening, never one border of the lips.
+constexpr double k_lone_lip = 60.0;
+/// Eyes without a mouth are hardly a face.
+constexpr double k_no_mouth = 40.0;
+/// Nodes of a search; what was found until then is taken.
 constexpr std::size_t k_most_nodes = 4'000;
 
 Trace reversed_of(const Trace& line) {
@@ -80,11 +84,13 @@ class Search {
     if (found_ && cost + least_[p] >= best_.cost) return;
     if (p == order_.size()) {
       if (free_) {
-        curves_.clear();
+        drawn_.assign(face_.curve_count(), 0.0);
         for (const Label& label : chosen_) {
-          if (label.stretch != k_nothing) curves_.push_back(face_.stretches()[label.stretch].curve);
+          if (label.stretch == k_nothing) continue;
+          const Stretch& stretch = face_.stretches()[label.stretch];
+          drawn_[stretch.curve] += stretch.to - stretch.from;
         }
-        cost += cost_of_lone_curves(face_, curves_);
+        cost += cost_of_lone_curves(face_, drawn_);
         if (found_ && cost >= best_.cost) return;
       }
       best_ = {chosen_, cost};
@@ -101,7 +107,7 @@ class Search {
 
   const FaceView& face_;
   bool free_;
-  std::vector<std::size_t> curves_;
+  std::vector<double> drawn_;  ///< how much of each curve is
   std::span<const std::vector<Label>> candidates_;
   std::span<const double> distances_;
   std::vector<std::size_t> order_;
@@ -188,13 +194,21 @@ double cost_of_both(const Stretch& a, const Stretch& b, double apart) {
   return k_one_more + (k_again + upon) * std::min(1.0, shared / 0.3);
 }
 
-double cost_of_lone_curves(const FaceView& face, std::span<const std::size_t> curves) {
+double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn) {
+  constexpr double k_seen = 0.4;
   double cost = 0;
   for (std::size_t c = 0; c < face.curve_count(); ++c) {
     const auto companion = face.companion(c);
-    if (!companion || std::find(curves.begin(), curves.end(), c) == curves.end()) continue;
-    if (std::find(curves.begin(), curves.end(), *companion) == curves.end()) cost += k_alone_cost;
+    if (!companion || !(drawn[c] > 0.0) || drawn[*companion] >= k_seen) continue;
+    cost += face.part(c) == Part::mouth ? k_lone_lip : k_alone_cost;
   }
+  const auto shown = [&](Part part) {
+    for (std::size_t c = 0; c < face.curve_count(); ++c) {
+      if (face.part(c) == part && drawn[c] > 0.0) return true;
+    }
+    return false;
+  };
+  if (shown(Part::eye) && !shown(Part::mouth)) cost += k_no_mouth;
   return cost;
 }
 

@@ -42,8 +42,9 @@ struct Label {
 /// should lie upon each other and do not. `apart`: their distance, px.
 [[nodiscard]] double cost_of_both(const Stretch& a, const Stretch& b, double apart);
 
-/// What it costs that curves are drawn without their companions, by a hand that draws freely.
-[[nodiscard]] double cost_of_lone_curves(const FaceView& face, std::span<const std::size_t> curves);
+/// What curves cost that are drawn without their companion (FaceView::companion). `drawn`: how much of each curve is,
+/// as shares of its length; a small part of a companion is none.
+[[nodiscard]] double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn);
 
 /// The labels of least cost, together with what lines of one curve and lone curves cost: by branch and bound.
 struct Assignment {

@@ -209,11 +209,13 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
     }
   }
   if (hand_.free) {
-    std::vector<std::size_t> curves;
+    std::vector<double> drawn(face_.curve_count(), 0.0);
     for (const Label& label : labels) {
-      if (label.stretch != k_nothing) curves.push_back(stretches_[label.stretch].curve);
+      if (label.stretch == k_nothing) continue;
+      const Stretch& stretch = stretches_[label.stretch];
+      drawn[stretch.curve] += stretch.to - stretch.from;
     }
-    beside += cost_of_lone_curves(face_, curves);
+    beside += cost_of_lone_curves(face_, drawn);
   }
   if (beside > most) return std::nullopt;
   const SquaresOfDoubt squares = system_.squares(labels);
