@@ -71,21 +71,6 @@ std::vector<std::size_t> key_of(std::span<const Label> labels) {
   return key;
 }
 
-/// The share of a line's points at which it is nearest to a point.
-double share_nearest(const Trace& line, PxPoint p) {
-  double least = std::numeric_limits<double>::infinity(), share = 0;
-  for (std::size_t i = 0; i + 1 < k_points; ++i) {
-    const PxPoint a{line[2 * i], line[2 * i + 1]}, b{line[2 * i + 2], line[2 * i + 3]};
-    const double f = geometry::nearest_share(p, a, b);
-    const double apart = geometry::distance(p, a + (b - a) * f);
-    if (apart < least) {
-      least = apart;
-      share = (static_cast<double>(i) + f) / static_cast<double>(k_points - 1);
-    }
-  }
-  return share;
-}
-
 }  // namespace
 
 SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, const Sketching& sketching)

@@ -1,6 +1,7 @@
 #include "core/portrait/reading/stretches.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace penpose::portrait {
 namespace {
@@ -28,6 +29,20 @@ std::size_t Stretches::near(std::size_t curve, double from, double to) {
                                  static_cast<double>(last) / static_cast<double>(k_steps)));
   }
   return at->second;
+}
+
+double share_nearest(const Trace& line, PxPoint p) {
+  double least = std::numeric_limits<double>::infinity(), share = 0;
+  for (std::size_t i = 0; i + 1 < k_points; ++i) {
+    const PxPoint a{line[2 * i], line[2 * i + 1]}, b{line[2 * i + 2], line[2 * i + 3]};
+    const double f = geometry::nearest_share(p, a, b);
+    const double apart = geometry::distance(p, a + (b - a) * f);
+    if (apart < least) {
+      least = apart;
+      share = (static_cast<double>(i) + f) / static_cast<double>(k_points - 1);
+    }
+  }
+  return share;
 }
 
 }  // namespace penpose::portrait

@@ -25,4 +25,7 @@ class Stretches {
   std::map<std::array<std::size_t, 3>, std::size_t> finer_;
 };
 
+/// The share of a line's points at which it is nearest to a point.
+[[nodiscard]] double share_nearest(const Trace& line, PxPoint p);
+
 }  // namespace penpose::portrait
