@@ -139,7 +139,7 @@ constexpr Hand k_drawn_over{0.03, 1.0};
 
 /// How the same hand draws once its face at rest is known: its proportions are those of that sheet, and the lines of
 /// both stray.
-constexpr Hand k_known_hand{0.02, 1.3};
+constexpr Hand k_known_hand{0.005, 1.3};
 
 /// How somebody draws a face of their own, while it is asked what each line is, and once that is known; and what a line
 /// of it costs beyond one of this face.
