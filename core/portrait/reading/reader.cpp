@@ -372,9 +372,11 @@ Reading SheetReader::read() {
   if (in_view_) {
     const Placement here;
     best = improved(settled(guess_from(here, 1).labels, here, k_doubt_in_view));
-    // Few lines say nothing of where the face is; many that are all known are where they are.
+    // Few lines say nothing of where the face is; many of which most are known are where they are.
     constexpr std::size_t k_enough = 5;
-    if (lines_.size() < k_enough || known_lines(best.labels) == static_cast<double>(lines_.size())) return best;
+    constexpr double k_most_known = 0.7;
+    const auto count = static_cast<double>(lines_.size());
+    if (lines_.size() < k_enough || known_lines(best.labels) > k_most_known * count) return best;
     most = best.energy - k_elsewhere;
   }
   for (const Guess& guess : guesses()) {
