@@ -31,8 +31,8 @@ class Editor {
   /// A completed stroke, with the view under which it began. Errors: those of command_of and of the command; a tap
   /// where the tool wants a line.
   base::Status draw(const curve::Stroke& stroke, const document::View& view, bool eraser);
-  /// The features of the document's face, by name; empty: none are found.
-  [[nodiscard]] std::vector<std::string> features() { return document::features_of(document(), work_); }
+  /// The features of the document's face; empty: none are found. Valid until the next call.
+  [[nodiscard]] std::span<const portrait::FeatureCurve> features() { return document::features_of(document(), work_); }
   base::Status undo() { return history_.undo(); }
   base::Status redo() { return history_.redo(); }
 

@@ -135,7 +135,7 @@ std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches&
 }
 
 /// How a hand draws over a face that it sees.
-constexpr Hand k_drawn_over{0.03, 1.0};
+constexpr Hand k_drawn_over{0.03, 1.0, false, true};
 
 /// How the same hand draws once its face at rest is known: its proportions are those of that sheet, and the lines of
 /// both stray.
@@ -143,8 +143,8 @@ constexpr Hand k_known_hand{0.005, 1.3};
 
 /// How somebody draws a face of their own, while it is asked what each line is, and once that is known; and what a line
 /// of it costs beyond one of this face.
-constexpr Hand k_free_hand{k_usual_proportion, 2.5, true, false};
-constexpr Hand k_meaning_hand{k_usual_proportion, 1.0, true, true};
+constexpr Hand k_free_hand{k_usual_proportion, 2.5, true};
+constexpr Hand k_meaning_hand{k_usual_proportion, 1.0, true, false, true};
 constexpr double k_free_line = 9.0;
 /// Where lines cost no more than this each, they are of this face.
 constexpr double k_like_this_face = 13.0;
@@ -184,7 +184,8 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
     own = face.drawn_as(rest_of(face, reader.stretches(), reading, traces), true);
   }
   const bool known = own.has_value();
-  const Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, given};
+  Sketching drawn{known ? k_known_hand : hand, drawing.in_view, false, given};
+  drawn.hand.over = drawing.in_view;
   SheetReader reader(known ? *own : face, lines, drawn);
   Reading reading = reader.read();
   // What is drawn over a face is in its proportions.

@@ -82,6 +82,8 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
             SuggestionOffer& offer, Playback& playback) {
   if (panels.radial) {
     panels.radial.reset();
+  } else if (panels.curve_menu) {
+    panels.curve_menu.reset();
   } else if (dialogs.any()) {
     close_dialog(dialogs, preferences);
   } else if (offer.open()) {

@@ -172,6 +172,8 @@ void App::begin_frame() {
   look.tool = &tool_.now();
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
+  // Where the features are is found once the pen comes near the face.
+  look.features = look.tool->kind == drawing::ToolKind::draw && panels_.shown && hits_.on_canvas(place_.at());
   curves_.add_to(look, place_.at());
   tour_.follow();
   drawing_.curves = shown_curves(editing_, canvas_.surface(), look);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/base/result.h"
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
 #include "core/document/drawing/pose_problem.h"
+#include "core/portrait/feature_curve.h"
 
 namespace penpose::document {
 
@@ -27,8 +29,8 @@ class ApplyWorkspace {
 /// Errors say what is wrong with the command; the place is a member of it or empty.
 [[nodiscard]] base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work);
 
-/// The features of the document's face by name; empty: none are found.
-[[nodiscard]] std::vector<std::string> features_of(const Document& document, ApplyWorkspace& work);
+/// The features of the document's face; empty: none are found. Valid until the next call.
+[[nodiscard]] std::span<const portrait::FeatureCurve> features_of(const Document& document, ApplyWorkspace& work);
 
 /// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
 /// of the scene, so that the same rays go through it.

@@ -41,19 +41,42 @@ Places places_of(const portrait::FeatureCurve& curve, const Places& rest) {
   return out;
 }
 
-/// Whether a curve lies upon another one all along: the same feature under another name.
-bool lies_upon(const Places& one, const Places& other) {
-  constexpr double k_near = 0.08;  // of its length
-  const auto finer = curve::resample<geometry::ModelPoint>(one, 12),
-             along = curve::resample<geometry::ModelPoint>(other, 60);
-  if (!finer || !along) return false;
+/// How far a curve lies from another one, of its own length, in the mean.
+double share_apart(const Places& one, const Places& other) {
+  const auto some = curve::resample<geometry::ModelPoint>(one, 12),
+             many = curve::resample<geometry::ModelPoint>(other, 60);
+  if (!some || !many) return std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (const geometry::ModelPoint& p : *finer) {
+  for (const geometry::ModelPoint& p : *some) {
     double least = std::numeric_limits<double>::infinity();
-    for (const geometry::ModelPoint& q : *along) least = std::min(least, geometry::distance(p, q));
+    for (const geometry::ModelPoint& q : *many) least = std::min(least, geometry::distance(p, q));
     sum += least;
   }
-  return sum / static_cast<double>(finer->size()) < k_near * curve::arc_length<geometry::ModelPoint>(one);
+  return sum / (static_cast<double>(some->size()) * curve::arc_length<geometry::ModelPoint>(one));
+}
+
+/// A curve that is looked for.
+struct Sought {
+  portrait::FeatureCurve curve;
+  double sureness = 1;
+};
+
+/// Takes away those whose place named curves take: of the same name, else the one that lies upon a named one and is
+/// nearest to it.
+void take_named(std::vector<Sought>& sought, const std::vector<portrait::FeatureCurve>& named, const Places& rest) {
+  constexpr double k_near = 0.08;
+  for (const portrait::FeatureCurve& own : named) {
+    auto taken = std::find_if(sought.begin(), sought.end(), [&](const Sought& one) {
+      return one.curve.name == own.name || own.name + "_outer" == one.curve.name;
+    });
+    double least = k_near;
+    for (auto one = sought.begin(); taken == sought.end() && one != sought.end(); ++one)
+      least = std::min(least, share_apart(places_of(one->curve, rest), places_of(own, rest)));
+    for (auto one = sought.begin(); taken == sought.end() && least < k_near && one != sought.end(); ++one) {
+      if (share_apart(places_of(one->curve, rest), places_of(own, rest)) == least) taken = one;
+    }
+    if (taken != sought.end()) sought.erase(taken);
+  }
 }
 
 /// Those that a model names.
@@ -77,26 +100,27 @@ base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::
   out.curves = named_curves(model);
   Places rest(model.rig->vertex_count());
   model.rig->evaluate(rig::rest_pose(*model.rig), rest);
-  // Lists of known heads call the border of the lips plainly by its lip.
-  const auto has = [&](const portrait::FeatureCurve& curve) {
-    const Places there = places_of(curve, rest);
-    return std::any_of(out.curves.begin(), out.curves.end(), [&](const portrait::FeatureCurve& one) {
-      return one.name == curve.name || one.name + "_outer" == curve.name || lies_upon(there, places_of(one, rest));
-    });
-  };
-  auto known = at_vertices(model, known_head_curves(model));
+  const auto known = at_vertices(model, known_head_curves(model));
   if (!known) return known;
-  for (portrait::FeatureCurve& one : known->curves) {
-    if (!has(one)) out.curves.push_back(std::move(one));
-  }
+  std::vector<Sought> sought;
+  for (const portrait::FeatureCurve& one : known->curves) sought.push_back({one});
   for (portrait::FoundCurve& one : portrait::find_features(*model.rig, *model.mesh, whole, model.front_yaw_degrees)) {
-    if (has(one.curve)) continue;
-    if (one.sureness >= portrait::k_sure) {
-      out.curves.push_back(std::move(one.curve));
-      out.found = true;
-    } else {
+    // Lists of known heads call the border of the lips plainly by its lip.
+    const bool listed = std::any_of(known->curves.begin(), known->curves.end(), [&](const auto& other) {
+      return other.name == one.curve.name || other.name + "_outer" == one.curve.name;
+    });
+    if (!listed) sought.push_back({std::move(one.curve), one.sureness});
+  }
+  take_named(sought, out.curves, rest);
+  for (Sought& one : sought) {
+    if (one.sureness < portrait::k_sure) {
       out.unsure.push_back(std::move(one.curve.name));
+      continue;
     }
+    const bool listed = std::any_of(known->curves.begin(), known->curves.end(),
+                                    [&](const auto& other) { return other.name == one.curve.name; });
+    out.found = out.found || !listed;
+    out.curves.push_back(std::move(one.curve));
   }
   if (out.curves.empty()) {
     return base::Error{

@@ -17,6 +17,7 @@ constexpr double k_most_apart = 60.0;
 constexpr double k_alone_cost = 18.0;
 /// A mouth of one line is its opening, never one border of the lips.
 constexpr double k_lone_lip = 60.0;
+constexpr double k_lone_lip_over = 45.0;
 /// Eyes without a mouth are hardly a face.
 constexpr double k_no_mouth = 40.0;
 /// Nodes of a search; what was found until then is taken.
@@ -50,7 +51,7 @@ class Search {
  public:
   Search(const FaceView& face, std::span<const std::vector<Label>> candidates, std::span<const double> distances,
          const Hand& hand)
-      : face_(face), free_(hand.free), candidates_(candidates), distances_(distances), chosen_(candidates.size()) {
+      : face_(face), hand_(hand), candidates_(candidates), distances_(distances), chosen_(candidates.size()) {
     for (std::size_t i = 0; i < candidates.size(); ++i) order_.push_back(i);
     const auto lead = [&](std::size_t i) {
       return candidates[i].size() > 1 ? candidates[i][1].cost - candidates[i][0].cost
@@ -83,14 +84,14 @@ class Search {
     if (++nodes_ > k_most_nodes && found_) return;
     if (found_ && cost + least_[p] >= best_.cost) return;
     if (p == order_.size()) {
-      if (free_) {
+      if (hand_.free || hand_.over) {
         drawn_.assign(face_.curve_count(), 0.0);
         for (const Label& label : chosen_) {
           if (label.stretch == k_nothing) continue;
           const Stretch& stretch = face_.stretches()[label.stretch];
           drawn_[stretch.curve] += stretch.to - stretch.from;
         }
-        cost += cost_of_lone_curves(face_, drawn_);
+        cost += cost_of_lone_curves(face_, drawn_, hand_);
         if (found_ && cost >= best_.cost) return;
       }
       best_ = {chosen_, cost};
@@ -106,7 +107,7 @@ class Search {
   }
 
   const FaceView& face_;
-  bool free_;
+  Hand hand_;
   std::vector<double> drawn_;  ///< how much of each curve is
   std::span<const std::vector<Label>> candidates_;
   std::span<const double> distances_;
@@ -194,14 +195,17 @@ double cost_of_both(const Stretch& a, const Stretch& b, double apart) {
   return k_one_more + (k_again + upon) * std::min(1.0, shared / 0.3);
 }
 
-double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn) {
+double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn, const Hand& hand) {
   constexpr double k_seen = 0.4;
   double cost = 0;
   for (std::size_t c = 0; c < face.curve_count(); ++c) {
     const auto companion = face.companion(c);
     if (!companion || !(drawn[c] > 0.0) || drawn[*companion] >= k_seen) continue;
-    cost += face.part(c) == Part::mouth ? k_lone_lip : k_alone_cost;
+    const bool lip = face.part(c) == Part::mouth;
+    if (hand.over && !lip) continue;
+    cost += hand.over ? k_lone_lip_over : lip ? k_lone_lip : k_alone_cost;
   }
+  if (hand.over) return cost;
   const auto shown = [&](Part part) {
     for (std::size_t c = 0; c < face.curve_count(); ++c) {
       if (face.part(c) == part && drawn[c] > 0.0) return true;

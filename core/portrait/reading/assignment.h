@@ -43,8 +43,9 @@ struct Label {
 [[nodiscard]] double cost_of_both(const Stretch& a, const Stretch& b, double apart);
 
 /// What curves cost that are drawn without their companion (FaceView::companion). `drawn`: how much of each curve is,
-/// as shares of its length; a small part of a companion is none.
-[[nodiscard]] double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn);
+/// as shares of its length; a small part of a companion is none. A hand that draws over a face may draw a part of it;
+/// of a mouth, its opening first.
+[[nodiscard]] double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn, const Hand& hand);
 
 /// The labels of least cost, together with what lines of one curve and lone curves cost: by branch and bound.
 struct Assignment {

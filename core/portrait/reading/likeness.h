@@ -20,6 +20,7 @@ struct Hand {
   /// A face as somebody sees it, not this one: all proportions differ, each by what is usual for it, and each line lies
   /// a little where it likes.
   bool free = false;
+  bool over = false;      ///< over the face that it sees, a line at a time
   bool labelled = false;  ///< what each line is is known: what is meant is told by how much care parts are drawn with
 
   /// How far lines of a part stray, of what is usual.

@@ -16,6 +16,8 @@ constexpr double k_unit_px = 100.0;
 /// How far a placement is from its first guess: scale and turn, and shift in px.
 constexpr double k_scale_doubt = 0.12;
 constexpr double k_shift_doubt = 40.0;
+/// What is drawn over a face leaves what is not drawn within so many px.
+constexpr double k_hold = 12.0;
 
 /// What a placement does to a curve: larger, turned, shifted.
 std::array<Trace, k_place> placement_columns(const Trace& curve) {
@@ -126,6 +128,24 @@ Trace LineSystem::off(std::size_t line, std::size_t stretch, bool reversed) cons
   return out;
 }
 
+void LineSystem::hold_undrawn(std::span<const Label> labels, std::vector<double>& gram) {
+  // A mouth takes the jaw along, and one line of a part the others.
+  std::vector<Part> goes;
+  for (const Label& label : labels) {
+    if (label.stretch != k_nothing) goes.push_back(face_.part(stretches_[label.stretch].curve));
+  }
+  const auto is_drawn = [&](Part part) { return std::find(goes.begin(), goes.end(), part) != goes.end(); };
+  if (is_drawn(Part::mouth)) goes.push_back(Part::jaw);
+  for (std::size_t c = 0; c < face_.curve_count(); ++c) {
+    if (is_drawn(face_.part(c))) continue;
+    const std::size_t whole = c * FaceView::stretches_per_curve();
+    const Block& b = block(whole);
+    const double weight = width(whole) * width(whole) / (k_hold * k_hold);
+    for (std::size_t j = 0; j < controls_; ++j)
+      algebra::add_scaled(weight, b.gram.data() + j * size_, gram.data() + j * size_, controls_);
+  }
+}
+
 SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<const double> weights) {
   std::vector<double> gram(size_ * size_, 0.0), rest(size_, 0.0);
   SquaresOfDoubt out;
@@ -149,6 +169,7 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<cons
     add(i, label.stretch, label.reversed, twice ? 0.5 * weight : weight);
     if (twice) add(i, label.also, label.reversed, 0.5 * weight);
   }
+  if (hand_.over) hold_undrawn(labels, gram);
   // Nuisances: proportions, then the placement.
   const std::size_t n = proportions_ + k_place;
   factor_.assign(n * n, 0.0);

@@ -58,6 +58,8 @@ class LineSystem {
   };
   /// From a line, where the guess lays it, to its stretch at rest, over the width of doubt.
   [[nodiscard]] Trace off(std::size_t line, std::size_t stretch, bool reversed) const;
+  /// Adds what it costs that controls move parts of the face of which nothing is drawn.
+  void hold_undrawn(std::span<const Label> labels, std::vector<double>& gram);
   /// The width of doubt of a point, px of the face.
   [[nodiscard]] double width(std::size_t stretch) const;
   const Block& block(std::size_t stretch);

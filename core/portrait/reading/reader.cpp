@@ -13,6 +13,8 @@ namespace {
 /// Stretches that a line may be before all are assigned together: so many, none less likely than the best by more.
 constexpr std::size_t k_candidates = 8;
 constexpr double k_window = 18.0;
+/// What a line may be that is drawn over the face is told by what it lies near more than by how it is bent.
+constexpr double k_window_over = 60.0;
 /// Doubt of pose and placement once they were read.
 constexpr double k_doubt_left = 0.35;
 /// Readings that are followed to their end.
@@ -93,7 +95,7 @@ std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
 }
 
 std::vector<std::vector<Label>> SheetReader::candidates(const Likeness& likeness, std::span<const Trace> lines) {
-  auto out = candidates_of(likeness, face_, lines, k_candidates, k_window);
+  auto out = candidates_of(likeness, face_, lines, k_candidates, hand_.over ? k_window_over : k_window);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (!is_given(i)) continue;
     out[i] = {*given_[i] == k_nothing ? Label{k_nothing, false, k_nothing_cost}
@@ -180,7 +182,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
                                             double most) {
   Reading reading;
   double beside = 0;
-  if (hand_.free) join_shut_lips(labels);
+  if (hand_.free || hand_.over) join_shut_lips(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].stretch == k_nothing) {
       beside += k_nothing_energy;
@@ -193,14 +195,14 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
       beside += cost_of_both(own, stretches_[labels[k].stretch], apart_[i * labels.size() + k]);
     }
   }
-  if (hand_.free) {
+  if (hand_.free || hand_.over) {
     std::vector<double> drawn(face_.curve_count(), 0.0);
     for (const Label& label : labels) {
       if (label.stretch == k_nothing) continue;
       const Stretch& stretch = stretches_[label.stretch];
       drawn[stretch.curve] += stretch.to - stretch.from;
     }
-    beside += cost_of_lone_curves(face_, drawn);
+    beside += cost_of_lone_curves(face_, drawn, hand_);
   }
   if (beside > most) return std::nullopt;
   const SquaresOfDoubt squares = system_.squares(labels);
@@ -294,14 +296,14 @@ Reading SheetReader::improved(Reading reading) {
     std::vector<std::vector<Label>> options;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       constexpr std::size_t k_curves = 3;
-      constexpr double k_within = 14.0;
+      const double within = hand_.over ? 40.0 : 14.0;
       const Trace& line = lines[i];
       if (is_given(i)) {
         options.emplace_back();
         continue;
       }
-      auto some = curves_for(near, face_, line, k_curves, k_within);
-      for (const Label& label : curves_for(first_, face_, line, k_curves, k_within)) {
+      auto some = curves_for(near, face_, line, k_curves, within);
+      for (const Label& label : curves_for(first_, face_, line, k_curves, within)) {
         if (std::find(some.begin(), some.end(), label) == some.end()) some.push_back(label);
       }
       options.push_back(std::move(some));

@@ -51,8 +51,10 @@ class EditingSession {
     return live_->session().editor().after(command);
   }
 
-  /// The features of the document's face, by name, from the brows down as they were found; empty: none.
-  [[nodiscard]] std::vector<std::string> features() { return live_->session().editor().features(); }
+  /// The features of the document's face; empty: none are found. Valid until the next call.
+  [[nodiscard]] std::span<const portrait::FeatureCurve> features() const {
+    return live_->session().editor().features();
+  }
 
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);

@@ -40,13 +40,11 @@ Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& wor
   return changed;
 }
 
-std::vector<std::string> features_of(const Document& document, ApplyWorkspace& work) {
+std::span<const portrait::FeatureCurve> features_of(const Document& document, ApplyWorkspace& work) {
   Parts& parts = work.parts();
   const auto& features = parts.face.features(document, parts.whole_of(document));
-  std::vector<std::string> names;
-  if (!features) return names;
-  for (const portrait::FeatureCurve& curve : features->curves) names.push_back(curve.name);
-  return names;
+  if (!features) return {};
+  return features->curves;
 }
 
 Changed run(const Document& document, const DrawFaceLine& command, Parts& work) {

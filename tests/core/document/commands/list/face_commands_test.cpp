@@ -66,6 +66,28 @@ TEST(FaceCommands, ASmileDrawnOverTheMouthIsTakenAsOneLineAtATime) {
   EXPECT_NEAR(hand.value("brow_inner_L"), 0.0, 0.02);
 }
 
+TEST(FaceCommands, AMouthOfOneLineIsShutAndSmiles) {
+  FaceHand hand;
+  hand.draws("lip_upper_inner", k_smile);
+  EXPECT_NEAR(hand.value("mouth_corner_L"), 0.8, 0.3);
+  EXPECT_NEAR(hand.value("mouth_corner_R"), 0.8, 0.3);
+  EXPECT_NEAR(hand.value("jaw"), 0.0, 0.1);
+  hand.does(ClearCurves{});
+  hand.does(ResetParameters{});
+  // A deeper bow than lips make.
+  auto line = hand.curve("lip_upper_inner", {});
+  const double middle = 0.5 * (line.front().x + line.back().x), half = 0.5 * std::abs(line.back().x - line.front().x);
+  for (PxPoint& p : line) {
+    const double share = (p.x - middle) / half;
+    p.x = middle + 1.25 * (p.x - middle);
+    p.y += 4.0 - 34.0 * share * share;
+  }
+  hand.does(DrawFaceLine{{hand.view, line}});
+  EXPECT_NE(hand.last().feature.find("inner"), std::string::npos) << hand.last().feature;
+  EXPECT_GT(hand.value("mouth_corner_L"), 0.5);
+  EXPECT_GT(hand.value("mouth_corner_R"), 0.5);
+}
+
 TEST(FaceCommands, WhatIsNotDrawnStaysAsItIs) {
   FaceHand hand;
   hand.does(SetParameters{{{"brow_inner_L", 0.6}}});
