@@ -17,7 +17,6 @@ constexpr double k_most_apart = 60.0;
 constexpr double k_alone_cost = 18.0;
 /// A mouth of one line is its opening, never one border of the lips.
 constexpr double k_lone_lip = 60.0;
-constexpr double k_lone_lip_over = 45.0;
 /// Eyes without a mouth are hardly a face.
 constexpr double k_no_mouth = 40.0;
 /// Nodes of a search; what was found until then is taken.
@@ -197,23 +196,24 @@ double cost_of_both(const Stretch& a, const Stretch& b, double apart) {
 
 double cost_of_lone_curves(const FaceView& face, std::span<const double> drawn, const Hand& hand) {
   constexpr double k_seen = 0.4;
+  const auto count = [&](Part part) {
+    std::size_t shown = 0;
+    for (std::size_t c = 0; c < face.curve_count(); ++c) shown += face.part(c) == part && drawn[c] > 0.0 ? 1U : 0U;
+    return shown;
+  };
+  const std::size_t lips = count(Part::mouth);
   double cost = 0;
   for (std::size_t c = 0; c < face.curve_count(); ++c) {
     const auto companion = face.companion(c);
     if (!companion || !(drawn[c] > 0.0) || drawn[*companion] >= k_seen) continue;
     const bool lip = face.part(c) == Part::mouth;
-    if (hand.over && !lip) continue;
-    cost += hand.over ? k_lone_lip_over : lip ? k_lone_lip : k_alone_cost;
-  }
-  if (hand.over) return cost;
-  const auto shown = [&](Part part) {
-    for (std::size_t c = 0; c < face.curve_count(); ++c) {
-      if (face.part(c) == part && drawn[c] > 0.0) return true;
+    if (hand.over) {
+      cost += lip && lips == 1 ? k_lone_lip : 0.0;
+    } else {
+      cost += lip ? k_lone_lip : k_alone_cost;
     }
-    return false;
-  };
-  if (shown(Part::eye) && !shown(Part::mouth)) cost += k_no_mouth;
-  return cost;
+  }
+  return !hand.over && lips == 0 && count(Part::eye) > 0 ? cost + k_no_mouth : cost;
 }
 
 Assignment assign(const FaceView& face, std::span<const std::vector<Label>> candidates,
