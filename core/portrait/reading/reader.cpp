@@ -31,7 +31,7 @@ constexpr std::size_t k_most_trials = 1500;
 /// Labels are tried with other controls, too, where those chosen already come this near to the best energy.
 constexpr double k_promising = 8.0;
 /// What a line costs in the energy of a reading that is nothing known.
-constexpr double k_nothing_energy = 42.0;
+constexpr double k_nothing_energy = 42.0, k_nothing_over = 80.0;
 
 /// A line tells so many things apart from where it is: times the logarithm of the scale, what a likelihood on the face
 /// lacks to be one on the sheet. Without it, a drawing shrunk to a dot would be like anything.
@@ -164,12 +164,16 @@ void SheetReader::join_shut_lips(std::vector<Label>& labels) {
   const auto& parting = face_.parting();
   if (!parting) return;
   std::array<bool, 2> drawn{};
+  bool others = false;
   for (Label& label : labels) {
     label.also = k_nothing;
-    for (const std::size_t k : {0, 1})
-      drawn[k] = drawn[k] || (label.stretch != k_nothing && stretches_[label.stretch].curve == (*parting)[k]);
+    if (label.stretch == k_nothing) continue;
+    const std::size_t curve = stretches_[label.stretch].curve;
+    for (std::size_t k = 0; k < drawn.size(); ++k) drawn[k] = drawn[k] || curve == (*parting)[k];
+    others = others || (face_.part(curve) == Part::mouth && curve != (*parting)[0] && curve != (*parting)[1]);
   }
-  if (drawn[0] == drawn[1]) return;
+  // Over a face, with a border of the lips beside it, it may be the edge of an open mouth.
+  if (drawn[0] == drawn[1] || (hand_.over && others)) return;
   const std::size_t shown = (*parting)[drawn[0] ? 0 : 1], other = (*parting)[drawn[0] ? 1 : 0];
   for (Label& label : labels) {
     if (label.stretch == k_nothing || stretches_[label.stretch].curve != shown) continue;
@@ -185,7 +189,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   if (hand_.free || hand_.over) join_shut_lips(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].stretch == k_nothing) {
-      beside += k_nothing_energy;
+      beside += hand_.over ? k_nothing_over : k_nothing_energy;
       continue;
     }
     const Stretch& own = stretches_[labels[i].stretch];
