@@ -339,8 +339,8 @@ Reading SheetReader::improved(Reading reading) {
 }
 
 double SheetReader::doubt_of(const Placement& placement) const {
-  constexpr double k_turned = 0.15, k_shifted = 60.0;
-  const bool here = std::abs(placement.along - 1.0) + std::abs(placement.across) < k_turned &&
+  constexpr double k_rotated = 0.15, k_shifted = 60.0;
+  const bool here = std::abs(placement.along - 1.0) + std::abs(placement.across) < k_rotated &&
                     geometry::distance(placement.shift, {0, 0}) < k_shifted;
   return in_view_ && here ? k_doubt_in_view : 1.0;
 }
