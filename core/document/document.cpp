@@ -73,6 +73,13 @@ const PoseCurve* find_curve(const Document& document, CurveId id) {
   return nullptr;
 }
 
+std::optional<CurveId> waiting_reference(const Document& document) {
+  for (const auto& curve : document.curves) {
+    if (curve->role == PoseCurveRole::reference && !curve->target) return curve->id;
+  }
+  return std::nullopt;
+}
+
 const FaceLine* find_face_line(const Document& document, CurveId id) {
   if (!document.face) return nullptr;
   for (const FaceLine& line : document.face->lines) {

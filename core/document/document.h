@@ -102,6 +102,8 @@ struct Document {
 [[nodiscard]] Model model_of(const Document& document);
 
 [[nodiscard]] const PoseCurve* find_curve(const Document& document, CurveId id);
+/// The first reference that has no target yet.
+[[nodiscard]] std::optional<CurveId> waiting_reference(const Document& document);
 /// The line of the face drawing; null: none of that number.
 [[nodiscard]] const FaceLine* find_face_line(const Document& document, CurveId id);
 

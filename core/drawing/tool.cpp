@@ -48,13 +48,6 @@ using document::CurveId;
 using document::Document;
 using document::PoseCurveRole;
 
-std::optional<CurveId> first_without_target(const Document& document) {
-  for (const auto& curve : document.curves) {
-    if (curve->role == PoseCurveRole::reference && !curve->target) return curve->id;
-  }
-  return std::nullopt;
-}
-
 std::optional<CurveId> last_with_target(const Document& document) {
   std::optional<CurveId> found;
   for (const auto& curve : document.curves) {
@@ -103,7 +96,7 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
   using Command = document::Command;
   auto line = curve::positions_of(stroke);
   if (eraser || tool.kind == ToolKind::erase) return Command(document::EraseCurves{view, std::move(line)});
-  const auto waiting = first_without_target(document);
+  const auto waiting = document::waiting_reference(document);
   switch (tool.kind) {
     case ToolKind::pose:
       if (waiting) return Command(target_of(*waiting, view, stroke));

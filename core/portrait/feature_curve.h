@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,12 @@ struct FeatureCurve {
   std::string name;                        ///< unique within a model
   std::vector<posing::CurvePoint> points;  ///< at least two, in order along the curve
 };
+
+/// The name of each curve.
+[[nodiscard]] inline std::vector<std::string> names_of(std::span<const FeatureCurve> curves) {
+  std::vector<std::string> names;
+  for (const FeatureCurve& curve : curves) names.push_back(curve.name);
+  return names;
+}
 
 }  // namespace penpose::portrait

@@ -159,6 +159,12 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
   if (drawing.lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};
   if (!drawing.given.empty() && drawing.given.size() != drawing.lines.size())
     return base::Error{"there are other numbers of labels than of lines", "given", "give one a line"};
+  for (const auto& labels : {drawing.given, drawing.given_neutral}) {
+    for (const GivenLabel& label : labels) {
+      if (label && *label != k_nothing && *label >= face.curve_count())
+        return base::Error{"the face has no curve " + std::to_string(*label), "given", "name one that it has"};
+    }
+  }
   const auto on_sheet = [&](std::span<const DrawnLine> lines, const char* name) {
     auto sheet = sheet_of(lines, name);
     if (sheet && drawing.in_view) *sheet = {face.middle(), face.scale()};
@@ -196,14 +202,14 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
     const double count = static_cast<double>(lines.size());
     std::optional<SheetReader> freely;
     std::optional<Reading> other;
-    if (!drawing.in_view && reading.energy > k_like_this_face * count) {
+    if (reading.energy > k_like_this_face * count) {
       freely.emplace(face, lines, Sketching{k_free_hand, false, false, given});
       other = freely->read();
     }
     const bool free =
         other && other->energy < k_most_free * count && other->energy + k_free_line * count < reading.energy;
     if (free) reading = std::move(*other);
-    if (!drawing.in_view && reading.energy > k_no_face * count) {
+    if (reading.energy > k_no_face * count) {
       out.lines.resize(drawing.lines.size());
       out.shares.assign(face.controls().size(), 0.0);
       out.proportions.assign(face.mild_count(), 0.0);

@@ -54,7 +54,7 @@ struct DrawingRead {
 /// is drawn, and which few controls make the rest of the difference. Labels are first the likeliest ones for each line
 /// under what a face may do at all (Likeness), then those of least energy together with the pose (LineSystem,
 /// SparseSolver), one line or two changed at a time. Errors (place: the line): no lines, too many, lines without
-/// length, numbers that are not finite.
+/// length, numbers that are not finite; (place: "given") labels that are no curves of the face.
 [[nodiscard]] base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing);
 
 }  // namespace penpose::portrait

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ui/app/action.h"
+#include "ui/app/face/neutral_face.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/owners.h"
 #include "ui/app/playback/frames.h"
@@ -128,15 +129,6 @@ Enum next_of(Enum value, int count) {
 
 void clear_curves(EditingSession& editing) {
   if (!editing.document().curves.empty() || editing.document().face) editing.perform(document::ClearCurves{});
-}
-
-void keep_neutral(EditingSession& editing, Notices& notices) {
-  const bool drawn = editing.document().face != nullptr;
-  if (!drawn && !editing.document().neutral)
-    return notices.tell("draw the face at rest first, then say that this is your neutral face");
-  if (!editing.perform(document::SetNeutral{drawn})) return;
-  notices.tell(drawn ? "this is your neutral face now: drawings to come are read in its proportions"
-                     : "your neutral face is forgotten");
 }
 
 void next_stabiliser(Preferences& preferences, Notices& notices) {

@@ -39,12 +39,6 @@ std::vector<bool> move_drawn(const portrait::FaceView& face, const std::vector<p
   return out;
 }
 
-std::vector<std::string> names_of(const FeatureCurves& features) {
-  std::vector<std::string> names;
-  for (const portrait::FeatureCurve& curve : features.curves) names.push_back(curve.name);
-  return names;
-}
-
 struct Lines {
   std::vector<portrait::DrawnLine> lines;
   std::vector<portrait::GivenLabel> given;
@@ -119,7 +113,7 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
   if (!known) return known.error();
   const auto face = seen(document, *known, drawing.view, whole);
   if (!face) return face.error();
-  const auto names = names_of(*known);
+  const auto names = names_of(known->curves);
   auto lines = lines_in(drawing.view, drawing, names);
   if (!lines) return base::Error{"the drawing cannot be seen in this view", "view", "look at the face"};
   portrait::Drawing asked{std::move(lines->lines), {}, true, std::move(lines->given), {}};

@@ -277,6 +277,8 @@ TEST_F(DrawingOfTheHead, BadDrawingsAreRefusedInOneLine) {
   const std::vector<DrawnLine> many(k_most_lines + 1, {{0, 0}, {1, 1}});
   EXPECT_EQ(read({many, {}}).error().line(),
             "drawing: 61 lines are more than the 60 of a face; draw fewer, longer lines");
+  EXPECT_EQ(read({{{{0, 0}, {1, 1}}}, {}, true, {1000}}).error().place, "given");
+  EXPECT_EQ(read({{{{0, 0}, {1, 1}}}, {}, true, {0, 0}}).error().place, "given");
   const double nan = std::nan("");
   EXPECT_FALSE(read({{{{nan, 0}, {1, 1}}}, {}}));
   EXPECT_FALSE(read({{{{0, 0}, {1e12, 1}}}, {}}));

@@ -28,8 +28,7 @@ Area menu_area(const PanelContext& context, const Canvas& canvas, PxPoint at, do
 /// What a line of the face may be.
 void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas& canvas, PanelState& panels,
                     const document::FaceLine& line, PxPoint at) {
-  std::vector<std::string> names;
-  for (const portrait::FeatureCurve& curve : editing.features()) names.push_back(curve.name);
+  const std::vector<std::string> names = names_of(editing.features());
   const document::CurveId id = line.id;
   const std::string feature = line.feature;
   const float width = 4.2F * context.unit;

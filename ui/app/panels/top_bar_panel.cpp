@@ -30,9 +30,9 @@ struct Owners {
 /// A line between two groups of a menu's column.
 void rule(const PanelContext& context) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddLine(from, {from.x + 9 * context.unit, from.y},
-                                      ImGui::GetColorU32(ImGuiCol_Separator));
-  ImGui::Dummy({9 * context.unit, 1});
+  const float width = menu_column(context);
+  ImGui::GetWindowDrawList()->AddLine(from, {from.x + width, from.y}, ImGui::GetColorU32(ImGuiCol_Separator));
+  ImGui::Dummy({width, 1});
 }
 
 /// All that is neither a tool nor of the timeline, in groups.

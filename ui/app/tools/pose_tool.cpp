@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "ui/app/tools/tool.h"
 
 // Pose: a line along a feature, then one where it should go.
@@ -7,21 +5,15 @@
 namespace penpose::app {
 namespace {
 
-bool target_is_next(const document::Document& document) {
-  return std::any_of(document.curves.begin(), document.curves.end(), [](const auto& curve) {
-    return curve->role == document::PoseCurveRole::reference && !curve->target;
-  });
-}
-
 std::string hint(const ToolSight& sight) {
-  if (!target_is_next(sight.document)) return "Draw along a feature of the face: a lip, a brow, an eyelid";
+  if (!document::waiting_reference(sight.document)) return "Draw along a feature of the face: a lip, a brow, an eyelid";
   return sight.performs ? "Draw where this curve goes: time runs while the pen is down"
                         : "Now draw where this curve should go: the face follows the pen";
 }
 
 std::string to_draw(const ToolSight& sight) {
-  return target_is_next(sight.document) ? "draw a line where the feature should go"
-                                        : "draw along a feature of the face";
+  return document::waiting_reference(sight.document) ? "draw a line where the feature should go"
+                                                     : "draw along a feature of the face";
 }
 
 }  // namespace

@@ -12,14 +12,6 @@
 namespace penpose::document {
 namespace {
 
-/// The reference that waits for a target.
-std::optional<CurveId> waiting(const Document& document) {
-  for (const auto& curve : document.curves) {
-    if (curve->role == PoseCurveRole::reference && !curve->target) return curve->id;
-  }
-  return std::nullopt;
-}
-
 /// Whether a line of this view goes on with the drawing that is there.
 bool goes_on(const Document& document, const View& view) {
   return document.face && document.face->time_s == document.time_s && same_side(document.face->view, view);
@@ -51,7 +43,7 @@ Changed run(const Document& document, const DrawFaceLine& command, Parts& work) 
   if (const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport); !camera)
     return at("view", camera.error());
   if (!work.face.features(document, work.whole_of(document))) {
-    if (const auto curve = waiting(document))
+    if (const auto curve = waiting_reference(document))
       return run(document, DrawTarget{*curve, command.view, command.line, {}}, work);
     return run(document, DrawReference{{command.view, command.line}}, work);
   }
@@ -94,8 +86,7 @@ Changed run(const Document& document, const NameFaceLine& command, Parts& work) 
   } else if (command.feature.empty()) {
     line->said = std::nullopt;
   } else {
-    std::vector<std::string> names;
-    for (const portrait::FeatureCurve& curve : features->curves) names.push_back(curve.name);
+    const std::vector<std::string> names = names_of(features->curves);
     if (std::find(names.begin(), names.end(), command.feature) == names.end()) {
       const auto close = base::closest_name(command.feature, names);
       return base::Error{"the face has no feature \"" + command.feature + "\"", "feature",

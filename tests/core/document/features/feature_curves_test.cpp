@@ -8,12 +8,6 @@
 namespace penpose::document {
 namespace {
 
-std::vector<std::string> names_of(const FeatureCurves& features) {
-  std::vector<std::string> out;
-  for (const portrait::FeatureCurve& curve : features.curves) out.push_back(curve.name);
-  return out;
-}
-
 TEST(FeatureCurves, ALineThatSomebodyNamedTakesThePlaceOfTheOneThatLiesThere) {
   Model model = character::make_demo_head().value();
   const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
@@ -24,10 +18,10 @@ TEST(FeatureCurves, ALineThatSomebodyNamedTakesThePlaceOfTheOneThatLiesThere) {
   ASSERT_FALSE(own.points.empty());
   own.name = "mouth above";
   model.curves = {};
-  const auto found = names_of(feature_curves_of(model, whole, {}).value());
+  const auto found = names_of(feature_curves_of(model, whole, {}).value().curves);
   ASSERT_EQ(std::count(found.begin(), found.end(), "lip_upper_inner"), 1);
   model.curves = {own};
-  const auto names = names_of(feature_curves_of(model, whole, {}).value());
+  const auto names = names_of(feature_curves_of(model, whole, {}).value().curves);
   EXPECT_EQ(names.size(), found.size()) << "the others are still found";
   EXPECT_EQ(names.front(), own.name);
   EXPECT_EQ(std::count(names.begin(), names.end(), "lip_upper_inner"), 0);

@@ -162,10 +162,20 @@ bool wide_button(PanelContext& context, const char* label, float width, bool cho
   return icon_button(context, label, {width, chosen, tip});
 }
 
+float menu_column(const PanelContext& context) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float beside = 2 * context.gap + 2 * style.WindowPadding.x + style.ItemSpacing.x + style.ScrollbarSize;
+  return std::min(9 * context.unit, 0.5F * (static_cast<float>(context.window.width) - beside));
+}
+
 bool menu_entry(PanelContext& context, const char* label, std::string_view icon, std::string_view key,
                 const char* tip) {
+  const float width = menu_column(context);
+  const float wide =
+      button_width(context, label, icon, true) + ImGui::CalcTextSize(key.data(), key.data() + key.size()).x;
+  if (wide > width) key = {};
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-  const bool pressed = icon_button(context, label, {9 * context.unit, false, tip, icon, true, true, key});
+  const bool pressed = icon_button(context, label, {width, false, tip, icon, true, true, key});
   ImGui::PopStyleColor();
   return pressed;
 }

@@ -28,7 +28,9 @@ struct ButtonLook {
 bool icon_button(PanelContext& context, const char* label, const ButtonLook& look);
 /// How wide it is where its width is 0.
 [[nodiscard]] float button_width(const PanelContext& context, const char* label, std::string_view icon, bool text);
-/// An entry of a menu: an icon, a text at the left, its key at the right.
+/// How wide a column of a menu is: two of them lie beside each other in any window.
+[[nodiscard]] float menu_column(const PanelContext& context);
+/// An entry of a menu: an icon, a text at the left, its key at the right where there is room for both.
 bool menu_entry(PanelContext& context, const char* label, std::string_view icon, std::string_view key, const char* tip);
 /// A text as far as it fits, with an ellipsis where it does not.
 [[nodiscard]] std::string fitted_text(std::string_view text, float width);
