@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/time/timeline_animation.h"
+#include "core/document/time/timeline_editing.h"
+
 namespace penpose::document {
 
 Document make_document(Model model) {
@@ -32,7 +35,15 @@ Document with_model(const Document& document, Model model) {
   };
   after.pose = carried(document.pose);
   Timeline timeline = *document.timeline;
-  for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
+  for (PoseKey& key : timeline.keys) {
+    key.pose = carried(key.pose);
+    if (key.controls.usual()) continue;
+    std::vector<ControlKey> controls;
+    for (const auto& number : old_number)
+      controls.push_back(number ? key.controls[*number] : ControlKey{KeyKind::none});
+    key.controls = std::move(controls);
+  }
+  timeline = settled(std::move(timeline), parameters);
   after.timeline = std::make_shared<const Timeline>(std::move(timeline));
   std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
   if (document.taken) after.taken = taken_of_rig(*document.taken, parameters);
@@ -55,6 +66,15 @@ bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
          document.views.empty() && !document.face && !document.neutral;
+}
+
+rig::Pose pose_at(const Document& document, double time_s) {
+  rig::Pose pose = sample(*document.timeline, time_s, document.pose);
+  const auto parameters = document.model->rig->parameters();
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    pose[i] = std::clamp(pose[i], parameters[i].minimum, parameters[i].maximum);
+  }
+  return pose;
 }
 
 Model model_of(const Document& document) {

@@ -97,6 +97,10 @@ struct Document {
 /// unfinished deformer.
 [[nodiscard]] bool is_plain(const Document& document);
 
+/// The pose of the timeline at a moment, within the ranges of the parameters; controls that have no key are as they
+/// are.
+[[nodiscard]] rig::Pose pose_at(const Document& document, double time_s);
+
 /// The model with the pose of the document and its timeline as one more animation, "timeline", in front: the content of
 /// a file for other programs.
 [[nodiscard]] Model model_of(const Document& document);

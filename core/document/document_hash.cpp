@@ -114,11 +114,17 @@ base::Hash128 hash_parameters(const Document& document) {
 
 base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
   StateHash hash;
-  hash.add(static_cast<std::uint64_t>(document.timeline->interpolation));
   for (const PoseKey& key : document.timeline->keys) {
     hash.add(key.time_s);
     hash.add(std::span<const double>(static_cast<const rig::Pose&>(key.pose)));
     hash.add(key.name);
+    if (key.controls.usual()) continue;
+    for (std::size_t i = 0; i < key.pose.size(); ++i) {
+      const ControlKey control = key.controls[i];
+      hash.add(static_cast<std::uint64_t>(control.kind));
+      hash.add(control.in);
+      hash.add(control.out);
+    }
   }
   add_digest(hash, animations);
   return hash.digest();

@@ -42,7 +42,6 @@ void History::Step::take_out(const Document& neighbour) {
   timeline = {};
   same_timeline = other.timeline == neighbour.timeline;
   if (!same_timeline) {
-    timeline.interpolation = other.timeline->interpolation;
     timeline.keys = middle_of(other.timeline->keys, neighbour.timeline->keys, first_keys, last_keys);
   }
   // Held by nobody else, an old timeline goes.

@@ -84,7 +84,7 @@ std::vector<std::string> posed_parameters(const Document& document) {
   const auto parameters = document.model->rig->parameters();
   std::vector<bool> posed(parameters.size(), false);
   const rig::Pose rest = rig::rest_pose(*document.model->rig);
-  rig::Pose before = document.timeline->keys.empty() ? rest : sample(*document.timeline, document.time_s);
+  rig::Pose before = sample(*document.timeline, document.time_s, rest);
   // A pose that was keyed as it stands is as posed as before.
   if (before == document.pose) before = rest;
   for (std::size_t i = 0; i < parameters.size(); ++i) {

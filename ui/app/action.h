@@ -26,7 +26,7 @@ struct Action {
       history, previous_frame, next_frame, copy_key, paste_key, loop_from, loop_to, loop_off, auto_key, mirror_strokes,
       flip_pose, copy_to_right, copy_to_left, stabiliser, moved_only, density, film, perform, library, tour_pose,
       tour_rig, tour_animate, flat_view, set_front, backdrop, backdrop_off, clay, frame_face, up_axis, left_handed,
-      tool_draw, neutral;
+      tool_draw, neutral, dope_sheet, curve_editor;
 };
 inline constexpr Action Action::tool_select{"tool_select"}, Action::tool_pose{"tool_pose"},
     Action::tool_oversketch{"tool_oversketch"}, Action::tool_constraint{"tool_constraint"},
@@ -51,7 +51,8 @@ inline constexpr Action Action::tool_select{"tool_select"}, Action::tool_pose{"t
     Action::tour_animate{"tour_animate"}, Action::flat_view{"flat_view"}, Action::set_front{"set_front"},
     Action::backdrop{"backdrop"}, Action::backdrop_off{"backdrop_off"}, Action::clay{"clay"},
     Action::frame_face{"frame_face"}, Action::up_axis{"up_axis"}, Action::left_handed{"left_handed"},
-    Action::tool_draw{"tool_draw"}, Action::neutral{"neutral"};
+    Action::tool_draw{"tool_draw"}, Action::neutral{"neutral"}, Action::dope_sheet{"dope_sheet"},
+    Action::curve_editor{"curve_editor"};
 inline constexpr std::array k_named_actions{Action::tool_select,
                                             Action::tool_pose,
                                             Action::tool_oversketch,
@@ -124,7 +125,9 @@ inline constexpr std::array k_named_actions{Action::tool_select,
                                             Action::up_axis,
                                             Action::left_handed,
                                             Action::tool_draw,
-                                            Action::neutral};
+                                            Action::neutral,
+                                            Action::dope_sheet,
+                                            Action::curve_editor};
 
 struct ActionInfo {
   Action action;

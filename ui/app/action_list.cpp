@@ -6,7 +6,7 @@
 #include "ui/app/face/neutral_face.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/owners.h"
-#include "ui/app/playback/frames.h"
+#include "ui/app/playback/time_actions.h"
 #include "ui/app/tools/tool.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/view/user_messages.h"
@@ -120,8 +120,6 @@ void flip_pose(EditingSession& editing, Notices& notices) {
               });
 }
 
-void step(Playback& playback, int frames) { playback.go_to(step_frame(playback.time_s(), frames, playback.rate())); }
-
 template <typename Enum>
 Enum next_of(Enum value, int count) {
   return static_cast<Enum>((static_cast<int>(value) + 1) % count);
@@ -148,11 +146,6 @@ void next_density(Preferences& preferences) {
 void adjust_backdrop(CanvasLook& look, Dialogs& dialogs) {
   if (!look.backdrop) return find(dialogs, Dialog::backdrop);
   look.backdrop->adjusting = !look.backdrop->adjusting;
-}
-
-void name_film(Dialogs& dialogs) {
-  dialogs.state<FileChoice>().name.clear();
-  find(dialogs, Dialog::film);
 }
 
 void change_theme(Preferences& preferences) {
@@ -228,19 +221,6 @@ constexpr std::array k_actions{
      "M4 18L12 4L20 18Z M8 11L16 11L12 18Z", does([](CanvasLook& look) { flip(look.wireframe); })},
     ActionInfo{{"clay"}, "Clay", shift('c'), {}, "Show the shape alone, without textures and colours",
      "C12 12 8A12 12 4 180 270", does([](CanvasLook& look) { flip(look.clay); })},
-    ActionInfo{{"key_pose"}, "Key", plain('i'), plain('k'), "Keep the pose at this moment",
-     "M12 4L20 12L12 20L4 12F", does([](Keys& keys) { keys.set(); })},
-    ActionInfo{{"delete_key"}, "Delete key", shift('i'), {}, "Remove the key at this moment",
-     "M10 4L18 12L10 20L2 12Z M17 4L22 9M22 4L17 9",
-     does([](Keys& keys) { keys.remove(); }), does([](Keys& keys) { return keys.at_cursor(); })},
-    ActionInfo{{"previous_key"}, "Key before", plain(','), {}, "Go to the key before",
-     "M5 5L5 19M18 5L9 12L18 19Z", does([](Playback& playback) { playback.step_key(-1); })},
-    ActionInfo{{"next_key"}, "Key after", plain('.'), {}, "Go to the key after",
-     "M19 5L19 19M6 5L15 12L6 19Z", does([](Playback& playback) { playback.step_key(1); })},
-    ActionInfo{{"play"}, "Play", plain(' '), {}, "Play from key to key",
-     "M7 4L20 12L7 20F", does([](Playback& playback) { playback.play_or_stop(); })},
-    ActionInfo{{"onion_skin"}, "Onion", shift('o'), {}, "Show the curves at the keys before and after",
-     "C9 12 6C15 12 6", does([](CanvasLook& look) { flip(look.onion_skin); })},
     ActionInfo{{"suggest_rest"}, "Suggest", plain('g'), {},
      "Suggest the rest of the face from the poses that are keyed",
      "M12 3L14 10L21 12L14 14L12 21L10 14L3 12L10 10Z", does<suggest_rest>},
@@ -301,25 +281,6 @@ constexpr std::array k_actions{
      "C10 10 6M15 15L21 21", does([](Dialogs& dialogs) { find(dialogs, Dialog::search); })},
     ActionInfo{{"history"}, "History", ctrl('h'), {}, "What was done, by name, to go back to",
      "A12 12 8 -160 130M4 4L4 9L9 9M12 8L12 12L15 14", does([](Dialogs& dialogs) { find(dialogs, Dialog::history); })},
-    ActionInfo{{"previous_frame"}, "Frame back", shift(','), ctrl(k_key_left), "Go one frame back",
-     "M15 5L7 12L15 19Z", does([](Playback& playback) { step(playback, -1); })},
-    ActionInfo{{"next_frame"}, "Frame on", shift('.'), ctrl(k_key_right), "Go one frame on",
-     "M9 5L17 12L9 19Z", does([](Playback& playback) { step(playback, 1); })},
-    ActionInfo{{"copy_key"}, "Copy", ctrl('c'), {}, "Copy the pose of this moment, to be put at another one",
-     "M8 8L20 8L20 20L8 20Z M16 8L16 4L4 4L4 16L8 16", does([](Keys& keys) { keys.copy(); })},
-    ActionInfo{{"paste_key"}, "Paste", ctrl('v'), {}, "Key the pose that was copied at this moment",
-     "M7 5L4 5L4 21L16 21L16 18M8 3L20 3L20 17L8 17Z M11 10L17 10M14 7L14 13",
-     does([](Keys& keys) { keys.paste(); }), does([](Keys& keys) { return keys.copied(); })},
-    ActionInfo{{"loop_from"}, "Loop from", plain('['), {}, "What is played begins here",
-     "M8 4L4 4L4 20L8 20M20 12L10 12M14 8L10 12L14 16",
-     does([](Playback& playback) { playback.loop().begin_at(playback.time_s()); })},
-    ActionInfo{{"loop_to"}, "Loop to", plain(']'), {}, "What is played ends here",
-     "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16",
-     does([](Playback& playback) { playback.loop().end_at(playback.time_s()); })},
-    ActionInfo{{"loop_off"}, "Loop all", plain('\\'), {}, "All is played, from the first frame to the last key",
-     "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", does([](Playback& playback) { playback.loop() = {}; })},
-    ActionInfo{{"auto_key"}, "Auto-key", shift('k'), {}, "Every change of the pose is keyed at this moment",
-     "M9 5L16 12L9 19L2 12F D20 5 3", does([](Playback& playback) { flip(playback.while_drawing().auto_key); })},
     ActionInfo{{"mirror_strokes"}, "X-mirror", plain('m'), {}, "What is drawn on one side is done on both",
      "M12 3L12 21M9 7L3 17L9 17Z M15 7L21 17L15 17Z",
      does([](Playback& playback) { flip(playback.while_drawing().mirrors); })},
@@ -342,12 +303,6 @@ constexpr std::array k_actions{
      does([](PanelState& panels) { flip(panels.own.of<ParameterList>().moved_only); })},
     ActionInfo{{"density"}, "Density", {}, {}, "Compact, usual or for touch",
      "M4 5L20 5M4 9.5L20 9.5M4 14L20 14M4 18.5L20 18.5", does<next_density>},
-    ActionInfo{{"film"}, "Film", {}, {}, "Write a film (.mp4) or its pictures (.png) of what is played",
-     "M3 5L21 5L21 19L3 19Z M7 5L7 19M17 5L17 19M3 12L7 12M17 12L21 12",
-     does<name_film>},
-    ActionInfo{{"perform"}, "Perform", shift(' '), {},
-     "Time runs while the pen holds a target, and what the face does is keyed",
-     "C12 12 9D12 12 5", does([](Playback& playback) { flip(playback.while_drawing().performs); })},
     ActionInfo{{"library"}, "Poses", plain('l'), {}, "The poses that are keyed, to be used again",
      "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z",
      does([](PanelState& panels) { panels.show_poses(); })},
@@ -384,6 +339,8 @@ std::vector<ActionInfo> made_actions() {
     if (!tool.button.label.empty()) all.push_back(action_of_tool(tool));
   }
   all.insert(all.end(), k_actions.begin(), k_actions.end());
+  const auto of_time = time_actions();
+  all.insert(all.end(), of_time.begin(), of_time.end());
   return all;
 }
 

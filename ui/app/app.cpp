@@ -40,7 +40,7 @@ App::App(AppOptions options)
       keys_(editing_, notices_, playback_),
       performer_(editing_, notices_, playback_, player_),
       film_(editing_, notices_, canvas_, playback_),
-      tool_({editing_, controls_, panels_, playback_, performer_}),
+      tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_}),
       curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
@@ -174,6 +174,8 @@ void App::begin_frame() {
   look.deformer = controls_.shown();
   // Where the features are is found once the pen comes near the face.
   look.features = look.tool->kind == drawing::ToolKind::draw && panels_.shown && hits_.on_canvas(place_.at());
+  if (look.tool->shows_arcs)
+    look.arcs = arcs_.of(editing_.document(), editing_.features(), canvas_.view(), playback_.rate());
   curves_.add_to(look, place_.at());
   tour_.follow();
   drawing_.curves = shown_curves(editing_, canvas_.surface(), look);

@@ -97,6 +97,7 @@ class App {
   FilmWriter film_;
   SuggestionOffer offer_;
   ReadingOffer readings_;
+  ArcsInSight arcs_;
   ToolInHand tool_;
   CurvesInHand curves_;
   TourGuide tour_;

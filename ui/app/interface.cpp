@@ -184,9 +184,14 @@ void Interface::show_all(PanelContext& context) {
     right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
     if (panels_.side_in_turn) left = 0;
   }
+  // The sheet and the curves take what the canvas can spare.
+  const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap;
-  if (height - top - bottom - player - status < std::max(k_least_canvas * height, k_least_targets_down * unit))
+  if (most < bottom) {
     bottom = unit + 2 * gap;
+  } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {
+    bottom = std::min(most, bottom + std::min(6 * unit, 0.35 * height));
+  }
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
   Area free{0, 0, width, height};
   const double foot = height - (panels_.shown ? bottom : 0);

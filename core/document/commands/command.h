@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/document/commands/list/arc_commands.h"
 #include "core/document/commands/list/correction_commands.h"
 #include "core/document/commands/list/deformer_commands.h"
 #include "core/document/commands/list/face_commands.h"
@@ -31,7 +32,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands, FaceCommands>::Type;
+                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {

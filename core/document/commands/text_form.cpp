@@ -27,8 +27,14 @@ constexpr Names<CurveRole, 4> k_roles{{{CurveRole::general, "general"},
                                        {CurveRole::specific, "specific"},
                                        {CurveRole::reference, "reference"},
                                        {CurveRole::target, "target"}}};
-constexpr Names<KeyInterpolation, 2> k_interpolations{
-    {{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
+constexpr Names<KeyKind, 8> k_key_kinds{{{KeyKind::smooth, "smooth"},
+                                         {KeyKind::linear, "linear"},
+                                         {KeyKind::stepped, "stepped"},
+                                         {KeyKind::ease_in, "ease_in"},
+                                         {KeyKind::ease_out, "ease_out"},
+                                         {KeyKind::ease, "ease"},
+                                         {KeyKind::free, "free"},
+                                         {KeyKind::none, "none"}}};
 constexpr Names<Preset, 3> k_presets{{{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
 
 template <std::size_t N>
@@ -240,7 +246,7 @@ std::optional<articulation::Surface> TextForm<articulation::Surface>::read(std::
 ValueNames<Mode> value_names(Mode /*any*/) { return k_modes; }
 ValueNames<Reach> value_names(Reach /*any*/) { return k_reaches; }
 ValueNames<CurveRole> value_names(CurveRole /*any*/) { return k_roles; }
-ValueNames<KeyInterpolation> value_names(KeyInterpolation /*any*/) { return k_interpolations; }
+ValueNames<KeyKind> value_names(KeyKind /*any*/) { return k_key_kinds; }
 ValueNames<Preset> value_names(Preset /*any*/) { return k_presets; }
 
 }  // namespace penpose::document

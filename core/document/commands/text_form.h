@@ -92,7 +92,7 @@ using ValueNames = std::span<const std::pair<Enum, std::string_view>>;
 [[nodiscard]] ValueNames<articulation::Mode> value_names(articulation::Mode any);
 [[nodiscard]] ValueNames<articulation::Reach> value_names(articulation::Reach any);
 [[nodiscard]] ValueNames<articulation::CurveRole> value_names(articulation::CurveRole any);
-[[nodiscard]] ValueNames<KeyInterpolation> value_names(KeyInterpolation any);
+[[nodiscard]] ValueNames<KeyKind> value_names(KeyKind any);
 [[nodiscard]] ValueNames<Preset> value_names(Preset any);
 
 template <typename Enum>

@@ -3,175 +3,213 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/rotation.h"
-
 namespace penpose::document {
 namespace {
 
-/// Value at u in 0..1 of the cubic Hermite curve of a segment `length_s` long.
-double hermite(double a, double slope_a, double b, double slope_b, double length_s, double u) {
-  const double u2 = u * u;
-  const double u3 = u2 * u;
-  return (2 * u3 - 3 * u2 + 1) * a + (u3 - 2 * u2 + u) * length_s * slope_a + (3 * u2 - 2 * u3) * b +
-         (u3 - u2) * length_s * slope_b;
+constexpr double k_steepest = 1e12;
+
+bool all_usual(std::span<const ControlKey> keys) {
+  return std::all_of(keys.begin(), keys.end(), [](const ControlKey& key) { return key == ControlKey{}; });
 }
 
-std::vector<double> times_of(std::span<const PoseKey> keys) {
-  std::vector<double> times;
-  for (const PoseKey& key : keys) times.push_back(key.time_s);
-  return times;
-}
-
-std::vector<double> values_of(std::span<const PoseKey> keys, std::size_t parameter) {
-  std::vector<double> values;
-  for (const PoseKey& key : keys) values.push_back(key.pose[parameter]);
-  return values;
-}
-
-/// The segment that holds the moment: the key before it, with a key after it. Precondition: two keys or more.
-std::size_t segment_of(const Timeline& timeline, double time_s) {
-  std::size_t k = 0;
-  while (k + 2 < timeline.keys.size() && timeline.keys[k + 1].time_s <= time_s) ++k;
-  return k;
-}
-
-Channel weight_channel(const Timeline& timeline, std::size_t count) {
-  Channel channel;
-  channel.times_s = times_of(timeline.keys);
-  const bool smooth = timeline.interpolation == KeyInterpolation::smooth && timeline.keys.size() > 1;
-  channel.interpolation = smooth ? Interpolation::cubic_spline : Interpolation::linear;
-  if (!smooth) {
-    for (const PoseKey& key : timeline.keys) {
-      channel.values.insert(channel.values.end(), key.pose.begin(),
-                            key.pose.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-    return channel;
+/// A cubic Hermite curve at u in 0..1, and its derivative by u.
+struct Hermite {
+  double a, b, to_slope_a, to_slope_b;  ///< slopes by u
+  [[nodiscard]] double at(double u) const {
+    const double u2 = u * u;
+    const double u3 = u2 * u;
+    return (2 * u3 - 3 * u2 + 1) * a + (u3 - 2 * u2 + u) * to_slope_a + (3 * u2 - 2 * u3) * b + (u3 - u2) * to_slope_b;
   }
-  // In-tangent, value and out-tangent of every key.
-  channel.values.resize(timeline.keys.size() * 3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> values = values_of(timeline.keys, i);
-    const std::vector<double> tangents = monotone_tangents(channel.times_s, values);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      double* row = channel.values.data() + k * 3 * count;
-      row[i] = tangents[k];
-      row[count + i] = values[k];
-      row[2 * count + i] = tangents[k];
-    }
+  [[nodiscard]] double slope(double u) const {
+    const double u2 = u * u;
+    return (6 * u2 - 6 * u) * a + (3 * u2 - 4 * u + 1) * to_slope_a + (6 * u - 6 * u2) * b +
+           (3 * u2 - 2 * u) * to_slope_b;
   }
-  return channel;
+};
+
+Hermite hermite_of(const KeySegment& segment) {
+  const double length_s = segment.to_s - segment.from_s;
+  return {segment.from, segment.to, length_s * segment.slope_from, length_s * segment.slope_to};
 }
 
-std::vector<double> sampling_times(const Timeline& timeline, double samples_per_s) {
-  std::vector<double> times{timeline.keys.front().time_s};
-  for (std::size_t k = 0; k + 1 < timeline.keys.size(); ++k) {
-    const double from = timeline.keys[k].time_s;
-    const double length = timeline.keys[k + 1].time_s - from;
-    const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(length * samples_per_s), 1.0, 1e5));
-    for (std::size_t i = 1; i < steps; ++i) {
-      times.push_back(from + length * (static_cast<double>(i) / static_cast<double>(steps)));
-    }
-    times.push_back(timeline.keys[k + 1].time_s);
-  }
-  return times;
+double share_at(const KeySegment& segment, double time_s) {
+  return (time_s - segment.from_s) / (segment.to_s - segment.from_s);
 }
 
-bool turns(const Timeline& timeline, std::size_t parameter) {
-  const double first = timeline.keys.front().pose[parameter];
-  return std::any_of(timeline.keys.begin(), timeline.keys.end(),
-                     [&](const PoseKey& key) { return key.pose[parameter] != first || first != 0.0; });
+double secant(const Timeline& timeline, std::size_t parameter, std::size_t from, std::size_t to) {
+  const PoseKey& a = timeline.keys[from];
+  const PoseKey& b = timeline.keys[to];
+  // Keys may be closer than numbers are fine.
+  return std::clamp((b.pose[parameter] - a.pose[parameter]) / (b.time_s - a.time_s), -k_steepest, k_steepest);
 }
 
-/// The joint's rotation below its parent. `first` is its first parameter of `values`.
-glm::dquat local_rotation(const rig::Joint& joint, std::span<const double> values, std::size_t first) {
-  return joint.rest_rotation * geometry::quaternion_from_xyz({values[first], values[first + 1], values[first + 2]});
-}
-
-void add_joint_channels(const Model& model, const Timeline& timeline, double samples_per_s, Animation& animation) {
-  const std::size_t first = weight_count(model);
-  std::vector<std::size_t> turned;  // the first of the three parameters of every joint that turns
-  for (std::size_t p = 0; p < model.skeleton->parameters().size(); p += 3) {
-    const bool any = turns(timeline, first + p) || turns(timeline, first + p + 1) || turns(timeline, first + p + 2);
-    if (any) turned.push_back(p);
-  }
-  if (turned.empty()) return;
-  const std::vector<double> times = sampling_times(timeline, samples_per_s);
-  for (const std::size_t p : turned) {
-    Channel channel;
-    channel.target = ChannelTarget::rotation;
-    channel.joint = model.skeleton->joint_of(p);
-    channel.times_s = times;
-    animation.channels.push_back(std::move(channel));
-  }
-  for (const double time : times) {
-    const rig::Pose pose = sample(timeline, time);
-    for (std::size_t c = 0; c < turned.size(); ++c) {
-      Channel& channel = animation.channels[animation.channels.size() - turned.size() + c];
-      const rig::Joint& joint = model.skeleton->joints()[channel.joint];
-      const glm::dquat q = local_rotation(joint, pose, first + turned[c]);
-      auto& values = channel.values;
-      values.insert(values.end(), {q.x, q.y, q.z, q.w});
-    }
-  }
+double smooth_slope(const Timeline& timeline, std::size_t parameter, std::size_t place) {
+  const auto before = place > 0 ? key_before(timeline, parameter, place - 1) : std::nullopt;
+  const auto after = key_after(timeline, parameter, place + 1);
+  // A straight line to an end would start and stop with a jerk; flat ends ease in and out.
+  if (!before || !after) return 0;
+  return monotone_slope(secant(timeline, parameter, *before, place), secant(timeline, parameter, place, *after));
 }
 
 }  // namespace
 
-std::vector<double> monotone_tangents(std::span<const double> times_s, std::span<const double> values) {
-  const std::size_t n = values.size();
-  std::vector<double> tangents(n, 0.0);
-  if (n < 3) {
-    // A straight line between two keys would start and stop with a jerk; flat ends ease in and out.
-    return tangents;
-  }
-  std::vector<double> secants(n - 1);
-  for (std::size_t k = 0; k + 1 < n; ++k) secants[k] = (values[k + 1] - values[k]) / (times_s[k + 1] - times_s[k]);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    const double a = secants[k - 1];
-    const double b = secants[k];
-    if (a * b <= 0.0) continue;
-    // The mean slope, cut so that neither neighbouring segment overshoots (the square of side 3).
-    const double mean = 0.5 * (a + b);
-    const double limit = 3.0 * std::min(std::abs(a), std::abs(b));
-    tangents[k] = std::clamp(mean, -limit, limit);
-  }
-  return tangents;
+ControlKeys::ControlKeys(std::vector<ControlKey> keys) {
+  if (!all_usual(keys)) keys_ = std::make_shared<const std::vector<ControlKey>>(std::move(keys));
 }
 
-rig::Pose sample(const Timeline& timeline, double time_s) {
-  const auto& keys = timeline.keys;
-  if (time_s <= keys.front().time_s || keys.size() == 1) return keys.front().pose;
-  if (time_s >= keys.back().time_s) return keys.back().pose;
-  const std::size_t k = segment_of(timeline, time_s);
-  const double length = keys[k + 1].time_s - keys[k].time_s;
-  const double u = (time_s - keys[k].time_s) / length;
-  rig::Pose pose = keys[k].pose;
-  // A tangent asks for the neighbours of its key alone.
-  const std::size_t first = k > 0 ? k - 1 : 0;
-  const std::span<const PoseKey> near(keys.data() + first, std::min(keys.size(), k + 3) - first);
-  const std::vector<double> times = times_of(near);
-  for (std::size_t i = 0; i < pose.size(); ++i) {
-    const double a = keys[k].pose[i];
-    const double b = keys[k + 1].pose[i];
-    if (timeline.interpolation == KeyInterpolation::linear) {
-      pose[i] = a + (b - a) * u;
-      continue;
-    }
-    const std::vector<double> tangents = monotone_tangents(times, values_of(near, i));
-    const double value = hermite(a, tangents[k - first], b, tangents[k - first + 1], length, u);
-    // Rounding alone could leave the keys' span, and with it the parameter's range.
-    pose[i] = std::clamp(value, std::min(a, b), std::max(a, b));
-  }
-  return pose;
+bool ControlKeys::whole() const {
+  return !keys_ ||
+         std::none_of(keys_->begin(), keys_->end(), [](const ControlKey& key) { return key.kind == KeyKind::none; });
 }
 
-Animation to_animation(const Model& model, const Timeline& timeline, double joint_samples_per_s) {
-  Animation animation{"timeline", {}};
-  if (timeline.keys.empty()) return animation;
-  const std::size_t count = weight_count(model);
-  if (count > 0) animation.channels.push_back(weight_channel(timeline, count));
-  if (model.skeleton) add_joint_channels(model, timeline, joint_samples_per_s, animation);
-  return animation;
+bool ControlKeys::empty() const {
+  return keys_ &&
+         std::all_of(keys_->begin(), keys_->end(), [](const ControlKey& key) { return key.kind == KeyKind::none; });
+}
+
+std::vector<ControlKey> ControlKeys::list(std::size_t parameters) const {
+  return keys_ ? *keys_ : std::vector<ControlKey>(parameters);
+}
+
+double value_at(const KeySegment& segment, double time_s) {
+  if (segment.kind == KeyKind::stepped) return time_s < segment.to_s ? segment.from : segment.to;
+  const double u = share_at(segment, time_s);
+  if (segment.kind == KeyKind::linear) return segment.from + (segment.to - segment.from) * u;
+  return hermite_of(segment).at(u);
+}
+
+double slope_at(const KeySegment& segment, double time_s) {
+  if (segment.kind == KeyKind::stepped) return 0;
+  if (segment.kind == KeyKind::linear) return segment.slope_from;
+  return hermite_of(segment).slope(share_at(segment, time_s)) / (segment.to_s - segment.from_s);
+}
+
+std::pair<double, double> extremes(const KeySegment& segment) {
+  double least = std::min(segment.from, segment.to);
+  double most = std::max(segment.from, segment.to);
+  if (segment.kind == KeyKind::stepped || segment.kind == KeyKind::linear) return {least, most};
+  // The derivative is the quadratic a u^2 + b u + c.
+  const Hermite curve = hermite_of(segment);
+  const double a = 6 * (curve.a - curve.b) + 3 * (curve.to_slope_a + curve.to_slope_b);
+  const double b = 6 * (curve.b - curve.a) - 4 * curve.to_slope_a - 2 * curve.to_slope_b;
+  const double c = curve.to_slope_a;
+  const auto note = [&](double u) {
+    if (!(u > 0 && u < 1)) return;
+    least = std::min(least, curve.at(u));
+    most = std::max(most, curve.at(u));
+  };
+  const double inside = b * b - 4 * a * c;
+  if (inside < 0) return {least, most};
+  // Without the difference of nearly equal numbers.
+  const double q = -0.5 * (b + std::copysign(std::sqrt(inside), b));
+  if (a != 0) note(q / a);
+  if (q != 0) note(c / q);
+  return {least, most};
+}
+
+std::optional<std::size_t> key_before(const Timeline& timeline, std::size_t parameter, std::size_t place) {
+  for (std::size_t k = std::min(place + 1, timeline.keys.size()); k-- > 0;) {
+    if (timeline.keys[k].controls.has(parameter)) return k;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> key_after(const Timeline& timeline, std::size_t parameter, std::size_t place) {
+  for (std::size_t k = place; k < timeline.keys.size(); ++k) {
+    if (timeline.keys[k].controls.has(parameter)) return k;
+  }
+  return std::nullopt;
+}
+
+KeySegment segment_of(const Timeline& timeline, std::size_t parameter, std::size_t from, std::size_t to) {
+  const PoseKey& a = timeline.keys[from];
+  const PoseKey& b = timeline.keys[to];
+  const ControlKey begin = a.controls[parameter];
+  const ControlKey end = b.controls[parameter];
+  KeySegment segment{a.time_s, b.time_s, a.pose[parameter], b.pose[parameter], 0, 0, begin.kind};
+  const double straight = secant(timeline, parameter, from, to);
+  switch (begin.kind) {
+    case KeyKind::smooth:
+    case KeyKind::free:
+      segment.slope_from = begin.kind == KeyKind::free ? begin.out : smooth_slope(timeline, parameter, from);
+      segment.slope_to = end.kind == KeyKind::free ? end.in : smooth_slope(timeline, parameter, to);
+      break;
+    case KeyKind::linear:
+      segment.slope_from = segment.slope_to = straight;
+      break;
+    case KeyKind::ease_in:
+      segment.slope_to = 2 * straight;
+      break;
+    case KeyKind::ease_out:
+      segment.slope_from = 2 * straight;
+      break;
+    case KeyKind::stepped:
+    case KeyKind::ease:
+    case KeyKind::none:
+      break;
+  }
+  return segment;
+}
+
+ControlKey with_slopes(const Timeline& timeline, std::size_t place, std::size_t parameter) {
+  ControlKey key = timeline.keys[place].controls[parameter];
+  if (key.kind == KeyKind::free) return key;
+  const auto before = place > 0 ? key_before(timeline, parameter, place - 1) : std::nullopt;
+  const auto after = key_after(timeline, parameter, place + 1);
+  key.in = before ? segment_of(timeline, parameter, *before, place).slope_to : 0;
+  key.out = after ? segment_of(timeline, parameter, place, *after).slope_from : 0;
+  return key;
+}
+
+namespace {
+
+/// Of one control at a moment between the keys `place` and `place + 1` of the list.
+std::optional<double> sampled(const Timeline& timeline, std::size_t parameter, std::size_t place, double time_s) {
+  const auto before = key_before(timeline, parameter, place);
+  const auto after = key_after(timeline, parameter, place + 1);
+  if (!before && !after) return std::nullopt;
+  if (!before || !after) return timeline.keys[before ? *before : *after].pose[parameter];
+  const KeySegment segment = segment_of(timeline, parameter, *before, *after);
+  const double value = value_at(segment, time_s);
+  const bool end_is_free = timeline.keys[*after].controls[parameter].kind == KeyKind::free;
+  if (segment.kind == KeyKind::free || (segment.kind == KeyKind::smooth && end_is_free)) return value;
+  // Rounding alone could leave the keys' span, and with it the parameter's range.
+  return std::clamp(value, std::min(segment.from, segment.to), std::max(segment.from, segment.to));
+}
+
+/// The last key of the list at or before a moment; the first, where it is later.
+std::size_t place_of(const Timeline& timeline, double time_s) {
+  const auto after = std::upper_bound(timeline.keys.begin(), timeline.keys.end(), time_s,
+                                      [](double time, const PoseKey& key) { return time < key.time_s; });
+  return after == timeline.keys.begin() ? 0 : static_cast<std::size_t>(after - timeline.keys.begin()) - 1;
+}
+
+/// Before the first key of the list, or no later than it, the first key of a control is what holds.
+bool before_all(const Timeline& timeline, double time_s) { return time_s <= timeline.keys.front().time_s; }
+
+}  // namespace
+
+std::optional<double> sample(const Timeline& timeline, std::size_t parameter, double time_s) {
+  if (timeline.keys.empty()) return std::nullopt;
+  if (before_all(timeline, time_s)) {
+    const auto first = key_after(timeline, parameter, 0);
+    return first ? std::optional(timeline.keys[*first].pose[parameter]) : std::nullopt;
+  }
+  return sampled(timeline, parameter, place_of(timeline, time_s), time_s);
+}
+
+rig::Pose sample(const Timeline& timeline, double time_s, rig::Pose unkeyed) {
+  for (std::size_t i = 0; i < unkeyed.size(); ++i) {
+    if (const auto value = sample(timeline, i, time_s)) unkeyed[i] = *value;
+  }
+  return unkeyed;
+}
+
+double monotone_slope(double secant_before, double secant_after) {
+  if (secant_before * secant_after <= 0.0) return 0;
+  // The square of side 3.
+  const double limit = 3.0 * std::min(std::abs(secant_before), std::abs(secant_after));
+  return std::clamp(0.5 * (secant_before + secant_after), -limit, limit);
 }
 
 }  // namespace penpose::document

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -32,23 +33,66 @@ class SharedPose {
   std::shared_ptr<const rig::Pose> pose_;
 };
 
-/// A pose at a time.
+/// How a control goes on from a key to its next one.
+enum class KeyKind : std::uint8_t {
+  smooth,    ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
+  linear,    ///< straight
+  stepped,   ///< holds its value up to the next key
+  ease_in,   ///< starts slowly: a square of time
+  ease_out,  ///< arrives slowly: a square of time
+  ease,      ///< both: a cubic with flat ends
+  free,      ///< cubic Hermite with the slopes that the key has
+  none,      ///< no key of this control here
+};
+
+/// The key of one control.
+struct ControlKey {
+  KeyKind kind = KeyKind::smooth;
+  // Slopes of a free key, in units of the control a second: of what leads to the key, and of what leaves it.
+  double in = 0;
+  double out = 0;
+  friend bool operator==(const ControlKey&, const ControlKey&) = default;
+};
+
+/// The keys of all controls at one moment, immutable and shared by all copies. By default each control has a smooth
+/// one.
+class ControlKeys {
+ public:
+  ControlKeys() = default;
+  /// One a parameter.
+  ControlKeys(std::vector<ControlKey> keys);  // NOLINT(google-explicit-constructor): a list is one
+
+  [[nodiscard]] ControlKey operator[](std::size_t parameter) const {
+    return keys_ ? (*keys_)[parameter] : ControlKey{};
+  }
+  [[nodiscard]] bool has(std::size_t parameter) const { return !keys_ || (*keys_)[parameter].kind != KeyKind::none; }
+  /// Every control has a smooth key.
+  [[nodiscard]] bool usual() const { return !keys_; }
+  /// Every control has a key.
+  [[nodiscard]] bool whole() const;
+  /// No control has one.
+  [[nodiscard]] bool empty() const;
+  /// One for each of so many parameters.
+  [[nodiscard]] std::vector<ControlKey> list(std::size_t parameters) const;
+  friend bool operator==(const ControlKeys& a, const ControlKeys& b) {
+    return a.keys_ == b.keys_ || (a.keys_ && b.keys_ && *a.keys_ == *b.keys_);
+  }
+
+ private:
+  std::shared_ptr<const std::vector<ControlKey>> keys_;  ///< null: usual()
+};
+
+/// The keys at one moment.
 struct PoseKey {
   double time_s = 0;
-  SharedPose pose;   ///< one value a parameter of the rig
-  std::string name;  ///< of the pose, or empty
+  SharedPose pose;            ///< one value a parameter of the rig: keyed, or what comes of the keys around (settled())
+  std::string name;           ///< of the pose, or empty
+  ControlKeys controls = {};  ///< which controls have a key here, and how they go on
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
 
-/// Interpolation between keys.
-enum class KeyInterpolation : std::uint8_t {
-  linear,
-  smooth,  ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
-};
-
-/// Key poses, ascending in time, no two at the same time.
+/// Keys, ascending in time, no two at the same time.
 struct Timeline {
-  KeyInterpolation interpolation = KeyInterpolation::smooth;
   std::vector<PoseKey> keys;
   friend bool operator==(const Timeline&, const Timeline&) = default;
 };
@@ -56,14 +100,35 @@ struct Timeline {
 /// The latest time of a key, seconds.
 inline constexpr double k_latest_key_s = 36000;
 
-/// The pose at a time, held before the first and after the last key. Precondition: there is a key.
-[[nodiscard]] rig::Pose sample(const Timeline& timeline, double time_s);
+/// The cubic between two keys of one control.
+struct KeySegment {
+  double from_s = 0, to_s = 0;
+  double from = 0, to = 0;              ///< values
+  double slope_from = 0, slope_to = 0;  ///< units a second
+  KeyKind kind = KeyKind::smooth;       ///< of the key before
+};
+[[nodiscard]] double value_at(const KeySegment& segment, double time_s);
+[[nodiscard]] double slope_at(const KeySegment& segment, double time_s);
+/// By how much a control may leave the values of its two keys: the least and the greatest value of the segment.
+[[nodiscard]] std::pair<double, double> extremes(const KeySegment& segment);
 
-/// The slope at every key of one parameter's curve, in units a second, for `smooth`.
-[[nodiscard]] std::vector<double> monotone_tangents(std::span<const double> times_s, std::span<const double> values);
+/// The last key of a control at or before that place in the list, and the first at or after it.
+[[nodiscard]] std::optional<std::size_t> key_before(const Timeline& timeline, std::size_t parameter, std::size_t place);
+[[nodiscard]] std::optional<std::size_t> key_after(const Timeline& timeline, std::size_t parameter, std::size_t place);
+/// The segment between two neighbouring keys of a control.
+[[nodiscard]] KeySegment segment_of(const Timeline& timeline, std::size_t parameter, std::size_t from, std::size_t to);
 
-/// The timeline as an animation that any viewer can play: weights of shapes and deformers exactly, joints sampled
-/// `joint_samples_per_s` times a second between their keys. Empty for a timeline without keys.
-[[nodiscard]] Animation to_animation(const Model& model, const Timeline& timeline, double joint_samples_per_s = 60);
+/// The key of a control at that place of the list with the slopes that its curve has there, whatever its kind.
+/// Precondition: the control has a key there.
+[[nodiscard]] ControlKey with_slopes(const Timeline& timeline, std::size_t place, std::size_t parameter);
+
+/// One control at a time, held before its first and after its last key. Nothing: it has no key.
+[[nodiscard]] std::optional<double> sample(const Timeline& timeline, std::size_t parameter, double time_s);
+/// The pose at a time. Controls without a key are as in `unkeyed`. Precondition: one value a parameter of the keys.
+[[nodiscard]] rig::Pose sample(const Timeline& timeline, double time_s, rig::Pose unkeyed);
+
+/// The slope of a smooth key between its neighbours, in units a second (Fritsch and Carlson 1980): the mean of both
+/// secants, cut so that neither segment overshoots; flat where the curve turns.
+[[nodiscard]] double monotone_slope(double secant_before, double secant_after);
 
 }  // namespace penpose::document

@@ -117,8 +117,14 @@ std::vector<Change> changes() {
                                                     }); }},
       {"pending camera", "deformers", [](D& d) { on_pending(d, [](auto& s) { s.camera.eye.x = 2; }); }},
       {"pending picture", "deformers", [](D& d) { on_pending(d, [](auto& s) { s.viewport.width = 2; }); }},
-      {"interpolation", "keys",
-       [](D& d) { on_timeline(d, [](Timeline& t) { t.interpolation = KeyInterpolation::linear; }); }},
+      {"key's kind", "keys",
+       [](D& d) {
+         on_timeline(d, [](Timeline& t) {
+           std::vector<ControlKey> list = t.keys[0].controls.list(t.keys[0].pose.size());
+           list[1].kind = KeyKind::linear;
+           t.keys[0].controls = list;
+         });
+       }},
       {"key's time", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys[0].time_s = 2; }); }},
       {"key's pose", "keys",
        [](D& d) {

@@ -33,7 +33,7 @@ TEST_F(Animate, MakesTheFirstAnimationOfADocumentAndLeavesTheOther) {
   rig::Pose open = document.pose;
   open[0] = 1;
   document.timeline =
-      std::make_shared<const document::Timeline>(document::Timeline{{}, {{0, document.pose, "a"}, {1, open, "b"}}});
+      std::make_shared<const document::Timeline>(document::Timeline{{{0, document.pose, "a"}, {1, open, "b"}}});
   const auto animated = animate();
   ASSERT_TRUE(animated) << animated.error().line();
   ASSERT_EQ(animated->document.model->animations.size(), 2U);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,8 +26,35 @@ struct ControlList {
   std::string rename;       ///< what is being typed as a name of the selected control
 };
 
+/// What the timeline shows below its ruler.
+enum class TimelinePart : std::uint8_t {
+  poses,   ///< the moments of keys alone
+  sheet,   ///< a row for each control besides
+  curves,  ///< the curves of the chosen controls
+};
+
+/// What a pen does in the sheet or on the curves, from its press to its release.
+struct KeyDrag {
+  enum class Does : std::uint8_t { nothing, boxes, moves, scales_from, scales_to, handles };
+  Does does = Does::nothing;
+  std::pair<float, float> from = {};  ///< px
+  double begin_s = 0;                 ///< moment below the press
+  double value = 0;                   ///< likewise, a share of the range
+  bool pulled = false;                ///< far enough to be no touch
+  std::size_t control = 0;            ///< of a handle
+  double key_s = 0;                   ///< likewise
+  bool incoming = false;              ///< likewise
+};
+
 /// The part of time that the timeline shows, seconds.
 struct TimelineShown {
+  TimelinePart part = TimelinePart::poses;
+  bool all_rows = false;         ///< also controls that rest in every key
+  std::set<std::string> folded;  ///< groups
+  std::set<std::size_t> chosen;  ///< controls whose curves are shown
+  double breakdown = 0.5;        ///< where its slider stands
+  float scrolled = 0;            ///< px of rows above the first that is seen
+  KeyDrag drag;
   double from_s = 0;
   double span_s = 0;                                  ///< 0: all
   double seen_time_s = 0;                             ///< where the cursor was last brought into sight

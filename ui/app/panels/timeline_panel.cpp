@@ -11,6 +11,7 @@
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
@@ -23,99 +24,6 @@
 
 namespace penpose::app {
 namespace {
-
-/// What is shown and changed here.
-struct Owners {
-  EditingSession& editing;
-  CanvasLook& look;
-  Playback& playback;
-  Keys& keys;
-  Performer& performer;
-  TourGuide& tour;
-  Notices& notices;
-  Dialogs& dialogs;
-  PanelState& panels;
-};
-
-constexpr double k_least_range_s = 4;
-constexpr double k_least_span_s = 0.5;
-
-/// The moments that the track shows.
-struct Shown {
-  double from = 0;
-  double span = 0;
-};
-
-Shown shown_moments(const Owners& with) {
-  const document::Timeline& timeline = *with.editing.document().timeline;
-  const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
-  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(with.playback.time_s())});
-  if (with.panels.own.of<TimelineShown>().span_s <= 0 || with.panels.own.of<TimelineShown>().span_s >= all) {
-    with.panels.own.of<TimelineShown>().span_s = with.panels.own.of<TimelineShown>().from_s = 0;
-    return {0, all};
-  }
-  // The cursor is in sight wherever it goes.
-  if (std::exchange(with.panels.own.of<TimelineShown>().seen_time_s, with.playback.time_s()) !=
-      with.playback.time_s()) {
-    if (with.playback.time_s() < with.panels.own.of<TimelineShown>().from_s)
-      with.panels.own.of<TimelineShown>().from_s = with.playback.time_s();
-    if (with.playback.time_s() >
-        with.panels.own.of<TimelineShown>().from_s + with.panels.own.of<TimelineShown>().span_s)
-      with.panels.own.of<TimelineShown>().from_s = with.playback.time_s() - with.panels.own.of<TimelineShown>().span_s;
-  }
-  with.panels.own.of<TimelineShown>().from_s =
-      std::clamp(with.panels.own.of<TimelineShown>().from_s, 0.0, all - with.panels.own.of<TimelineShown>().span_s);
-  return {with.panels.own.of<TimelineShown>().from_s, with.panels.own.of<TimelineShown>().span_s};
-}
-
-/// Shows more or less of the timeline, about its cursor.
-void zoom_track(const Owners& with, double factor) {
-  const Shown now = shown_moments(with);
-  const double span = std::max(k_least_span_s, now.span * factor);
-  const double share = std::clamp((with.playback.time_s() - now.from) / now.span, 0.0, 1.0);
-  with.panels.own.of<TimelineShown>().span_s = span;
-  with.panels.own.of<TimelineShown>().from_s = std::max(0.0, with.playback.time_s() - share * span);
-}
-
-/// Shows another part of the timeline, by a share of what is shown.
-void pan_track(const Owners& with, double share) {
-  const Shown now = shown_moments(with);
-  with.panels.own.of<TimelineShown>().from_s = std::max(0.0, now.from + share * now.span);
-}
-
-/// Where moments lie on a strip of the panel.
-struct Strip {
-  ImVec2 from;
-  ImVec2 size;
-  float inset = 0;
-  Shown shown;
-  [[nodiscard]] float width() const { return size.x - 2 * inset; }
-  [[nodiscard]] ImVec2 to() const { return {from.x + size.x, from.y + size.y}; }
-  [[nodiscard]] float x_of(double time_s) const {
-    return from.x + inset + static_cast<float>((time_s - shown.from) / shown.span) * width();
-  }
-  [[nodiscard]] double time_of(float x) const {
-    const double share = static_cast<double>((x - from.x - inset) / width());
-    return std::max(0.0, shown.from + std::clamp(share, -0.02, 1.02) * shown.span);
-  }
-};
-
-/// A strip as wide as the panel, which is hit under a name.
-Strip begin_strip(PanelContext& context, const Owners& with, const char* name, const char* tip) {
-  Strip strip;
-  strip.shown = shown_moments(with);
-  strip.from = ImGui::GetCursorScreenPos();
-  strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x), context.unit};
-  strip.inset = 0.3F * context.unit;
-  ImGui::InvisibleButton(name, strip.size);
-  note(context, name);
-  tooltip(context, tip);
-  if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
-    zoom_track(with, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
-  }
-  ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
-  return strip;
-}
 
 /// Frames from one number to the next, so that numbers have room.
 int frames_apart(const Strip& strip, int rate, float room) {
@@ -138,7 +46,7 @@ void show_loop(const Strip& strip, const LoopRange& loop, double last_s) {
 }
 
 /// Frames by number. Dragged along it, the playhead goes along, and nothing else.
-void show_ruler(PanelContext& context, const Owners& with) {
+void show_ruler(PanelContext& context, const TimelineOwners& with) {
   const int rate = with.playback.rate();
   const Strip strip = begin_strip(context, with, "ruler", "Drag to go through time");
   if (ImGui::IsItemActive()) with.playback.scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
@@ -178,22 +86,22 @@ void show_ruler(PanelContext& context, const Owners& with) {
 }
 
 /// What the pen does on the row of keys: a touch of a key goes to it, a pull takes it along.
-void use_keys(PanelContext& context, const Owners& with, const Strip& strip) {
+void use_keys(PanelContext& context, const TimelineOwners& with, const Strip& strip) {
   const document::Timeline& timeline = *with.editing.document().timeline;
   const float x = ImGui::GetIO().MousePos.x;
   if (ImGui::IsItemActivated()) {
-    with.panels.own.of<TimelineShown>().key_drag.reset();
+    with.shown().key_drag.reset();
     float nearest = 0.5F * context.unit;
     for (const auto& key : timeline.keys) {
       if (std::abs(strip.x_of(key.time_s) - x) >= nearest) continue;
       nearest = std::abs(strip.x_of(key.time_s) - x);
-      with.panels.own.of<TimelineShown>().key_drag = {key.time_s, key.time_s};
+      with.shown().key_drag = {key.time_s, key.time_s};
     }
   }
   if (ImGui::IsItemActive()) {
     const double time = on_frame(strip.time_of(x), with.playback.rate());
-    if (with.panels.own.of<TimelineShown>().key_drag) {
-      auto& [from, to] = *with.panels.own.of<TimelineShown>().key_drag;
+    if (with.shown().key_drag) {
+      auto& [from, to] = *with.shown().key_drag;
       const bool pulled = std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 0.4F * context.unit;
       to = pulled || to != from ? time : from;
       if (to == from) with.playback.scrub(from);
@@ -202,7 +110,7 @@ void use_keys(PanelContext& context, const Owners& with, const Strip& strip) {
     }
   }
   if (!ImGui::IsItemDeactivated()) return;
-  const auto drag = std::exchange(with.panels.own.of<TimelineShown>().key_drag, std::nullopt);
+  const auto drag = std::exchange(with.shown().key_drag, std::nullopt);
   if (drag && drag->first != drag->second) {
     with.keys.move(drag->first, drag->second);
   } else {
@@ -210,7 +118,7 @@ void use_keys(PanelContext& context, const Owners& with, const Strip& strip) {
   }
 }
 
-void show_keys(PanelContext& context, const Owners& with) {
+void show_keys(PanelContext& context, const TimelineOwners& with) {
   const Strip strip =
       begin_strip(context, with, "track", "Touch a key to go to it, drag it to move it; Key makes one here");
   use_keys(context, with, strip);
@@ -219,11 +127,10 @@ void show_keys(PanelContext& context, const Owners& with) {
   list.PushClipRect(strip.from, strip.to(), true);
   const float middle = strip.from.y + 0.5F * strip.size.y;
   const float half = 0.24F * context.unit;
-  const float cursor = strip.x_of(with.playback.time_s());
-  list.AddLine({cursor, strip.from.y}, {cursor, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
+  show_cursor(strip, with);
   for (std::size_t i = 0; i < held->keys.size(); ++i) {
     const auto& key = held->keys[i];
-    const auto& drag = with.panels.own.of<TimelineShown>().key_drag;
+    const auto& drag = with.shown().key_drag;
     const bool dragged = drag && drag->first == key.time_s;
     const float x = strip.x_of(dragged ? drag->second : key.time_s);
     const bool here = std::abs(key.time_s - with.playback.time_s()) < 1e-9;
@@ -241,24 +148,22 @@ void show_keys(PanelContext& context, const Owners& with) {
 }
 
 /// The frame of the playhead, to be typed over.
-void show_frame_field(PanelContext& context, const Owners& with, float width) {
+void show_frame_field(PanelContext& context, const TimelineOwners& with, float width) {
   bool accepted = false;
-  text_field(context, "##frame", with.panels.own.of<TimelineShown>().frame_text, width, "frame", &accepted);
+  text_field(context, "##frame", with.shown().frame_text, width, "frame", &accepted);
   tooltip(context, "The frame; type one to go there, or seconds as in 1.5s");
   if (accepted) {
-    if (const auto moment = typed_moment(with.panels.own.of<TimelineShown>().frame_text, with.playback.rate())) {
+    if (const auto moment = typed_moment(with.shown().frame_text, with.playback.rate())) {
       with.playback.go_to(*moment);
     } else {
-      with.notices.tell("\"" + with.panels.own.of<TimelineShown>().frame_text +
-                            "\" is no frame: type a number of one, or seconds as in 1.5s",
+      with.notices.tell("\"" + with.shown().frame_text + "\" is no frame: type a number of one, or seconds as in 1.5s",
                         true);
     }
   }
-  if (!ImGui::IsItemActive())
-    with.panels.own.of<TimelineShown>().frame_text = frame_text(with.playback.time_s(), with.playback.rate());
+  if (!ImGui::IsItemActive()) with.shown().frame_text = frame_text(with.playback.time_s(), with.playback.rate());
 }
 
-void show_rate(PanelContext& context, const Owners& with, float width) {
+void show_rate(PanelContext& context, const TimelineOwners& with, float width) {
   const std::string label = std::to_string(with.playback.rate()) + " fps##rate";
   if (wide_button(context, label.c_str(), width, false, "Frames a second")) ImGui::OpenPopup("rates");
   if (!begin_menu(context, "rates")) return;
@@ -271,7 +176,61 @@ void show_rate(PanelContext& context, const Owners& with, float width) {
   ImGui::EndPopup();
 }
 
-void show_buttons(PanelContext& context, const Owners& with) {
+constexpr std::array<std::pair<document::KeyKind, const char*>, 7> k_kind_names{
+    {{document::KeyKind::smooth, "Smooth"},
+     {document::KeyKind::linear, "Linear"},
+     {document::KeyKind::stepped, "Stepped"},
+     {document::KeyKind::ease_in, "Ease in"},
+     {document::KeyKind::ease_out, "Ease out"},
+     {document::KeyKind::ease, "Ease"},
+     {document::KeyKind::free, "Free"}}};
+
+/// How controls go on from the keys that are meant.
+void show_kinds(PanelContext& context, const TimelineOwners& with, float width) {
+  const auto now = with.keys.kind();
+  std::string label = "Mixed";
+  for (const auto& [kind, name] : k_kind_names) {
+    if (now == kind) label = name;
+  }
+  if (!now && !with.keys.any_meant()) label = "Smooth";
+  label += "##kind";
+  if (wide_button(context, label.c_str(), width, false, "How poses go on from the selected keys, else from those here"))
+    ImGui::OpenPopup("kinds");
+  if (!begin_menu(context, "kinds")) return;
+  for (const auto& [kind, name] : k_kind_names) {
+    const std::string one = std::string(name) + "##choose kind";
+    if (!wide_button(context, one.c_str(), 4 * context.unit, now == kind)) continue;
+    with.keys.set_kind(kind);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+/// A slider from the key before to the key after; a breakdown is keyed where it is let go.
+void show_breakdown(PanelContext& context, const TimelineOwners& with, float width) {
+  constexpr double k_overshoots = 0.3;
+  double& share = with.shown().breakdown;
+  bool released = false;
+  if (tall_slider(context, "##breakdown", share, -k_overshoots, 1 + k_overshoots, width, "Between", released))
+    with.keys.preview_tween(share);
+  tooltip(context,
+          "A pose between the key before and the key after, keyed here when let go; at the ends it overshoots");
+  if (!released) return;
+  with.keys.tween(share);
+  share = 0.5;
+}
+
+/// Shows something at the left of the next strip, where rows have their names.
+template <typename Show>
+void beside_strip(PanelContext& context, const TimelineOwners& with, Show show) {
+  const float width = names_width(context, with) - context.gap;
+  if (width <= 0) return;
+  const ImVec2 corner = ImGui::GetCursorPos();
+  show(width);
+  ImGui::SetCursorPos(corner);
+}
+
+void show_buttons(PanelContext& context, const TimelineOwners& with) {
   // A button may put another timeline in its place.
   const auto held = with.editing.document().timeline;
   const document::Timeline& timeline = *held;
@@ -309,16 +268,12 @@ void show_buttons(PanelContext& context, const Owners& with) {
   row.add(Action::perform, with.playback.while_drawing().performs, true, false);
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, true, false);
-  row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);
-  row.add(Action::loop_to, with.playback.loop().to_s.has_value(), true, false);
-  if (with.playback.loop().any()) row.add(Action::loop_off, false, true, false);
-  const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
-  ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
-  between.does = [&with, smooth] {
-    with.editing.perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
-                                                              : document::KeyInterpolation::smooth});
-  };
-  row.add(std::move(between));
+  ButtonRow::Button kind{"##kinds"};
+  kind.shows = [&with](PanelContext& panel, float width) { show_kinds(panel, with, width); };
+  kind.width = 2.4F * context.unit;
+  row.add(std::move(kind));
+  row.add(Action::dope_sheet, with.shown().part == TimelinePart::sheet, true, false);
+  row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
   row.add(Action::onion_skin, with.look.onion_skin);
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
@@ -326,12 +281,15 @@ void show_buttons(PanelContext& context, const Owners& with) {
     button.does = does;
     row.add(std::move(button));
   };
-  const bool part = with.panels.own.of<TimelineShown>().span_s > 0;
+  const bool part = with.shown().span_s > 0;
   view("-##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
   view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
        [&with] { zoom_track(with, 1 / 1.6); });
   view("<##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
   view(">##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
+  row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);
+  row.add(Action::loop_to, with.playback.loop().to_s.has_value(), true, false);
+  if (with.playback.loop().any()) row.add(Action::loop_off, false, true, false);
   const float used = row.show(ImGui::GetContentRegionAvail().x);
   const float left = ImGui::GetContentRegionAvail().x - used;
   std::array<char, 64> text{};
@@ -346,13 +304,21 @@ void show_buttons(PanelContext& context, const Owners& with) {
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
                    Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
+  const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
     // A small window has no room for more.
     if (area.height() > 2 * static_cast<double>(context.unit)) {
+      beside_strip(context, with, [&](float width) {
+        if (wide_button(context, "All rows", width, with.shown().all_rows, "Also controls that rest in every key"))
+          with.shown().all_rows = !with.shown().all_rows;
+      });
       show_ruler(context, with);
+      beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
+      const float left = ImGui::GetContentRegionAvail().y;
+      if (left > context.unit && with.shown().part == TimelinePart::sheet) show_dope_sheet(context, with, left);
+      if (left > context.unit && with.shown().part == TimelinePart::curves) show_curve_editor(context, with, left);
     }
   }
   end_panel();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/document/time/timeline.h"
+#include "core/document/time/timeline_editing.h"
+#include "ui/app/playback/frames.h"
 
 namespace penpose::app {
 namespace {
@@ -18,7 +20,123 @@ Keys::Keys(EditingSession& editing, Notices& notices, Playback& playback)
 
 void Keys::set() { editing_.perform(document::SetKey{playback_.time_s(), name_at(playback_.time_s())}); }
 
-void Keys::remove() { editing_.perform(document::DeleteKey{playback_.time_s()}); }
+void Keys::remove() {
+  editing_.perform(document::DeleteKeys{meant()});
+  selected_.clear();
+}
+
+document::OfKeys Keys::meant() const {
+  if (!selected_.empty()) return selected_.of(editing_.document());
+  return {{playback_.time_s()}, {}};
+}
+
+KeySelection& Keys::selected() {
+  selected_.keep_known(editing_.document());
+  return selected_;
+}
+
+void Keys::show_again() {
+  editing_.shown().preview(std::nullopt);
+  editing_.perform_with(document::GoToTime{playback_.time_s()});
+}
+
+void Keys::move_selected(double by_s, double about_s, double scale, bool copies) {
+  if (selected().empty()) return;
+  const auto rate = static_cast<std::uint32_t>(playback_.rate());
+  const document::MoveKeys command{selected_.of(editing_.document()), by_s, about_s, scale, copies, rate};
+  if (!editing_.perform(command)) return;
+  follow(by_s, about_s, scale);
+}
+
+void Keys::shift_selected(double by_s, double share) {
+  if (selected().empty()) return;
+  const auto parameters = editing_.document().model->rig->parameters();
+  document::SetKeyValues values{selected_.of(editing_.document()), {}};
+  bool changes = false;
+  for (const auto& [time_s, parameter] : selected_.keys()) {
+    const rig::Parameter& range = parameters[parameter];
+    const double was = find(time_s)->pose[parameter];
+    const double value = was + share * (range.maximum - range.minimum);
+    values.values.push_back(std::clamp(value, range.minimum, range.maximum));
+    changes = changes || values.values.back() != was;
+  }
+  if (changes && !editing_.perform(values)) return;
+  if (by_s == 0) {
+    if (changes) show_again();
+    return;
+  }
+  const auto rate = static_cast<std::uint32_t>(playback_.rate());
+  const document::MoveKeys moves{selected_.of(editing_.document()), by_s, 0, 1, false, rate};
+  if (!(changes ? editing_.perform_with(moves) : editing_.perform(moves))) return;
+  follow(by_s, 0, 1);
+}
+
+void Keys::follow(double by_s, double about_s, double scale) {
+  const KeySelection before = std::exchange(selected_, {});
+  for (const auto& [time_s, parameter] : before.keys())
+    selected_.add(on_frame(about_s + (time_s - about_s) * scale + by_s, playback_.rate()), parameter);
+  show_again();
+}
+
+void Keys::pull_handle(const KeySelection::Key& key, bool incoming, double slope, bool alone) {
+  const document::Document& document = editing_.document();
+  const auto place = document::key_at(*document.timeline, key.first);
+  if (!place) return;
+  document::SetKeySlopes command{key.first, document.model->rig->parameters()[key.second].name, slope, slope};
+  if (alone) {
+    const document::ControlKey was = document::with_slopes(*document.timeline, *place, key.second);
+    (incoming ? command.out : command.in) = incoming ? was.out : was.in;
+  }
+  if (editing_.perform(command)) show_again();
+}
+
+void Keys::set_kind(document::KeyKind kind) {
+  if (!any_meant()) return notices_.tell("there is no key here: go to one, or select keys in the sheet");
+  if (editing_.perform(document::SetKeyKind{meant(), kind})) show_again();
+}
+
+std::optional<document::KeyKind> Keys::kind() const {
+  std::optional<document::KeyKind> kind;
+  const document::Document& document = editing_.document();
+  const auto differs = [&](document::KeyKind one) {
+    if (one == document::KeyKind::none || kind.value_or(one) == one) {
+      if (one != document::KeyKind::none) kind = one;
+      return false;
+    }
+    return true;
+  };
+  for (const auto& [time_s, parameter] : selected_.keys()) {
+    const auto place = document::key_at(*document.timeline, time_s);
+    if (place && differs(document.timeline->keys[*place].controls[parameter].kind)) return std::nullopt;
+  }
+  if (!selected_.empty()) return kind;
+  const auto* here = find(playback_.time_s());
+  for (std::size_t i = 0; here != nullptr && i < document.pose.size(); ++i) {
+    if (differs(here->controls[i].kind)) return std::nullopt;
+  }
+  return kind;
+}
+
+document::Tween Keys::breakdown(double share) {
+  document::Tween command{on_frame(playback_.time_s(), playback_.rate()), share, {}};
+  const auto parameters = editing_.document().model->rig->parameters();
+  for (const auto& key : selected().keys()) {
+    const std::string& name = parameters[key.second].name;
+    if (std::find(command.names.begin(), command.names.end(), name) == command.names.end())
+      command.names.push_back(name);
+  }
+  return command;
+}
+
+void Keys::tween(double share) {
+  const document::Tween command = breakdown(share);
+  editing_.shown().preview(std::nullopt);
+  if (editing_.perform(command)) playback_.place_cursor(command.time_s);
+}
+
+void Keys::preview_tween(double share) {
+  if (auto after = editing_.after(breakdown(share))) editing_.shown().preview(after->pose);
+}
 
 bool Keys::at_cursor() const {
   const auto& keys = editing_.document().timeline->keys;
@@ -61,7 +179,8 @@ void Keys::name(const std::string& name) {
 void Keys::move(double from_s, double to_s) {
   to_s = std::clamp(to_s, 0.0, document::k_latest_key_s);
   if (std::abs(from_s - to_s) < k_same_moment_s) return;
-  if (!editing_.perform(document::MoveKey{from_s, to_s})) return;
+  const auto rate = static_cast<std::uint32_t>(playback_.rate());
+  if (!editing_.perform(document::MoveKeys{{{from_s}, {}}, to_s - from_s, 0, 1, false, rate})) return;
   playback_.place_cursor(to_s);
   editing_.shown().preview(std::nullopt);
   editing_.perform(document::GoToTime{to_s});

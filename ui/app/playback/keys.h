@@ -4,13 +4,14 @@
 #include <string>
 
 #include "ui/app/notices.h"
+#include "ui/app/playback/key_selection.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/playback/pose_clipboard.h"
 #include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
-/// What is done with the keys of the timeline, at its cursor.
+/// What is done with the keys of the timeline: with those that are selected, else with those at its cursor.
 class Keys {
  public:
   Keys(EditingSession& editing, Notices& notices, Playback& playback);
@@ -18,24 +19,52 @@ class Keys {
   /// Keys the pose. A name that was given to this key stays.
   void set();
   void remove();
+  /// There is something to remove.
+  [[nodiscard]] bool any_meant() const { return !selected_.empty() || at_cursor(); }
   [[nodiscard]] bool at_cursor() const;
   /// Names the key, whose pose stays.
   void name(const std::string& name);
   /// The name of a moment's key; empty: it has none, or there is no key.
   [[nodiscard]] std::string name_at(double time_s) const;
-  /// Moves a key; one that is in the way is told.
+  /// Moves all keys of a moment.
   void move(double from_s, double to_s);
   void copy();
   void paste();
   [[nodiscard]] bool copied() const { return clipboard_.has_value(); }
 
+  /// Keys that the document no longer has are not among them.
+  [[nodiscard]] KeySelection& selected();
+  /// Moves those that are selected, onto frames: a moment becomes about_s + (moment - about_s) * scale + by_s. They
+  /// stay selected. `copies`: they also stay where they are.
+  void move_selected(double by_s, double about_s, double scale, bool copies);
+  /// Moves them in time, and their values by a share of the range of each control, no farther than it goes.
+  void shift_selected(double by_s, double share);
+  /// Gives a key another slope, in units a second, on both sides of it or, `alone`, on that side.
+  void pull_handle(const KeySelection::Key& key, bool incoming, double slope, bool alone);
+  /// How controls go on from them.
+  void set_kind(document::KeyKind kind);
+  /// The kind that they have in common; nothing: there are none, or they differ.
+  [[nodiscard]] std::optional<document::KeyKind> kind() const;
+  /// Keys a breakdown at the cursor (document::Tween), of the controls that are selected, else of all.
+  void tween(double share);
+  /// Shows it, and changes nothing.
+  void preview_tween(double share);
+
  private:
   [[nodiscard]] const document::PoseKey* find(double time_s) const;
+  /// Those that are meant.
+  [[nodiscard]] document::OfKeys meant() const;
+  [[nodiscard]] document::Tween breakdown(double share);
+  /// The selection goes along with its keys.
+  void follow(double by_s, double about_s, double scale);
+  /// The pose is that of the timeline again, after keys changed.
+  void show_again();
 
   EditingSession& editing_;
   Notices& notices_;
   Playback& playback_;
   std::optional<PoseClipboard> clipboard_;
+  KeySelection selected_;
 };
 
 }  // namespace penpose::app

@@ -55,8 +55,7 @@ void Performer::follow(std::int64_t now_us) {
   const document::Document& document = editing_.document();
   const rig::Pose& pen = editing_.shown().pen_pose();
   performance_->take(time_s, pen);
-  const bool keyed = !document.timeline->keys.empty();
-  editing_.shown().stage(performance_->over(keyed ? document::sample(*document.timeline, time_s) : document.pose, pen));
+  editing_.shown().stage(performance_->over(document::pose_at(document, time_s), pen));
 }
 
 bool Performer::end() {

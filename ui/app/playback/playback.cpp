@@ -94,8 +94,8 @@ void Playback::step_key(int direction) {
 
 void Playback::scrub(double time_s) {
   time_s_ = std::clamp(time_s, 0.0, document::k_latest_key_s);
-  const auto& timeline = *editing_.document().timeline;
-  if (!timeline.keys.empty()) editing_.shown().preview(document::sample(timeline, time_s_));
+  const document::Document& document = editing_.document();
+  if (!document.timeline->keys.empty()) editing_.shown().preview(document::pose_at(document, time_s_));
 }
 
 void Playback::end_scrub() {
@@ -108,7 +108,7 @@ void Playback::end_scrub() {
                       [](double a, double b) { return std::abs(a - b) < k_same_value; });
   };
   const auto& keys = document.timeline->keys;
-  const bool kept = same(document::sample(*document.timeline, document.time_s)) ||
+  const bool kept = same(document::pose_at(document, document.time_s)) ||
                     std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return same(key.pose); });
   if (kept) {
     editing_.perform(document::GoToTime{time_s_});
@@ -135,7 +135,7 @@ void Playback::advance(std::int64_t now_us) {
     play_from_us_ = now_us;
     play_from_s_ = time_s_ = begin;
   }
-  editing_.shown().preview(document::sample(*editing_.document().timeline, time_s_));
+  editing_.shown().preview(document::pose_at(editing_.document(), time_s_));
 }
 
 }  // namespace penpose::app

@@ -9,6 +9,7 @@
 #include "core/document/commands/command.h"
 #include "core/drawing/tool.h"
 #include "ui/app/key_stroke.h"
+#include "ui/app/playback/arcs.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {
@@ -36,6 +37,11 @@ struct ToolLine {
   const document::Document& document;
   const document::View& view;
   const std::vector<geometry::PxPoint>& points;
+  const std::vector<double>& shares;  ///< when the pen was at each point, 0..1 of the line's time
+  std::span<const ShownArc> arcs;     ///< that are seen
+  bool paced = false;                 ///< the pen's own pace counts
+  int rate = 24;                      ///< frames a second
+  double within_px = 12;              ///< of something is on it
 };
 
 /// What the canvas shows while a tool draws.
@@ -72,8 +78,9 @@ struct WindowTool {
   ToolPreview preview = ToolPreview::pose;
   /// The look of its line; null: that of what the line means.
   render::CurveKind (*line)(const ToolSight& sight) = nullptr;
-  bool erases = false;   ///< its line is broad and pale
-  bool selects = false;  ///< curves, targets and controls can be taken in hand
+  bool shows_arcs = false;  ///< the paths of features over time
+  bool erases = false;      ///< its line is broad and pale
+  bool selects = false;     ///< curves, targets and controls can be taken in hand
 
   /// The tool is taken in hand.
   void (*taken)(ToolHand& hand) = nullptr;

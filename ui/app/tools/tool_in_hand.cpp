@@ -1,5 +1,6 @@
 #include "ui/app/tools/tool_in_hand.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace penpose::app {
@@ -30,10 +31,14 @@ std::string ToolInHand::hint() const {
       {parts_.editing.document(), parts_.editing.editor().tool(), parts_.playback.while_drawing().performs});
 }
 
-void ToolInHand::press(PxPoint at) { line_ = {at}; }
+void ToolInHand::press(PxPoint at) {
+  line_ = {at};
+  times_us_ = {parts_.editing.now_us()};
+}
 
 void ToolInHand::move(PxPoint at) {
   line_.push_back(at);
+  times_us_.push_back(parts_.editing.now_us());
   ToolHand hand{parts_.editing, parts_.controls, parts_.panels};
   if (const WindowTool& tool = now(); tool.moved != nullptr) tool.moved(hand);
 }
@@ -42,7 +47,18 @@ void ToolInHand::release() {
   const auto line = std::exchange(line_, {});
   const WindowTool& tool = now();
   if (tool.means == nullptr || line.empty()) return;
-  const auto command = tool.means({parts_.editing.document(), parts_.editing.editor().view(), line});
+  const document::Document& document = parts_.editing.document();
+  const document::View& view = parts_.editing.editor().view();
+  std::vector<double> shares;
+  for (const std::int64_t time_us : times_us_) {
+    const std::int64_t all_us = std::max<std::int64_t>(1, times_us_.back() - times_us_.front());
+    shares.push_back(static_cast<double>(time_us - times_us_.front()) / static_cast<double>(all_us));
+  }
+  const int rate = parts_.playback.rate();
+  const auto arcs =
+      tool.shows_arcs ? parts_.arcs.of(document, parts_.editing.features(), view, rate) : std::span<const ShownArc>();
+  const bool paced = parts_.playback.while_drawing().performs;
+  const auto command = tool.means({document, view, line, shares, arcs, paced, rate, 0.5 * parts_.canvas.target_px()});
   if (command) parts_.editing.perform(*command);
 }
 

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
+#include "ui/app/playback/arcs.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/tools/tool.h"
 
@@ -18,6 +20,8 @@ class ToolInHand {
     PanelState& panels;
     Playback& playback;
     const Performer& performer;
+    const Canvas& canvas;
+    ArcsInSight& arcs;
   };
   explicit ToolInHand(const Parts& parts) : parts_(parts) {}
 
@@ -35,6 +39,7 @@ class ToolInHand {
   Parts parts_;
   const WindowTool* chosen_ = nullptr;  ///< of those that a session records as none
   std::vector<PxPoint> line_;
+  std::vector<std::int64_t> times_us_;  ///< of its points
 };
 
 }  // namespace penpose::app

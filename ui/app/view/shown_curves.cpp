@@ -9,6 +9,7 @@
 #include "core/document/commands/apply.h"
 #include "core/document/drawing/target_line.h"
 #include "ui/app/tools/tool.h"
+#include "ui/app/view/arc_drawing.h"
 
 namespace penpose::app {
 namespace {
@@ -338,6 +339,7 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
                                        const CurveLook& look) {
   std::vector<CurveDrawing> out;
   if (look.onion_skin) add_onion_skins(out, editing, look);
+  add_arcs(out, look.arcs, look.time_s, look.scale);
   if (editing.editor().tool().kind == drawing::ToolKind::articulate) {
     add_outline(out, editing, look);
     add_sketch(out, editing, look);

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "ui/app/playback/arcs.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/view/ink.h"
 #include "ui/app/view/posed_surface.h"
@@ -25,6 +27,7 @@ struct CurveLook {
   bool handles = false;                      ///< the middles by which whole targets are moved
   bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
   double time_s = 0;                         ///< of which moment
+  std::span<const ShownArc> arcs;            ///< paths over time
   std::string deformer;                      ///< whose reference and target are shown; empty: of none
   Stabiliser stabiliser = Stabiliser::off;   ///< of lines as they are shown
   const WindowTool* tool = nullptr;          ///< in hand; null: the one of its kind

@@ -1,35 +1,77 @@
 #include "core/document/commands/list/time_commands.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 
 #include "core/document/commands/apply_parts.h"
+#include "core/document/time/timeline_editing.h"
 
 namespace penpose::document {
 namespace {
+
+constexpr double k_steepest = 1e9;
 
 std::optional<base::Error> check_time(double time_s, const char* member) {
   if (time_s >= 0 && time_s <= k_latest_key_s) return std::nullopt;
   return base::Error{"the moment is not on the timeline", member, "give seconds from 0 to 36000"};
 }
 
-auto key_at(Timeline& timeline, double time_s) {
-  return std::lower_bound(timeline.keys.begin(), timeline.keys.end(), time_s,
-                          [](const PoseKey& key, double time) { return key.time_s < time; });
-}
-
-bool is_at(const Timeline& timeline, std::vector<PoseKey>::const_iterator key, double time_s) {
-  return key != timeline.keys.end() && key->time_s == time_s;
-}
-
-base::Error no_key(const char* member) {
-  return {"there is no key at that moment", member, "name the moment of a key"};
-}
-
 Document with_timeline(const Document& document, Timeline timeline) {
   Document changed = document;
   changed.timeline = std::make_shared<const Timeline>(std::move(timeline));
   return changed;
+}
+
+TimelineEditing edit(const Document& document) {
+  return {*document.timeline, document.model->rig->parameters(), document.pose};
+}
+
+base::Result<std::size_t> numbered(const Document& document, const std::string& name, const char* member) {
+  const auto number = rig::find_parameter(document.model->rig->parameters(), name);
+  if (!number)
+    return base::Error{"the model has no parameter \"" + name + "\"", member, "look at the names in the model"};
+  return *number;
+}
+
+base::Result<std::vector<std::size_t>> numbered(const Document& document, const std::vector<std::string>& names) {
+  std::vector<std::size_t> numbers;
+  for (const std::string& name : names) {
+    const auto number = numbered(document, name, "names");
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// A key of one control: its place in the list, and its number.
+struct KeyPlace {
+  std::size_t place = 0;
+  std::size_t parameter = 0;
+};
+
+base::Result<std::vector<KeyPlace>> places_of(const Document& document, const OfKeys& keys) {
+  const Timeline& timeline = *document.timeline;
+  if (keys.times_s.empty()) return base::Error{"no key is meant", "times_s", "name the moments of keys"};
+  if (!keys.names.empty() && keys.names.size() != keys.times_s.size())
+    return base::Error{"there is not one name for each moment", "names", "name a control for each, or none at all"};
+  const auto numbers = numbered(document, keys.names);
+  if (!numbers) return numbers.error();
+  std::vector<KeyPlace> places;
+  for (std::size_t i = 0; i < keys.times_s.size(); ++i) {
+    const auto place = key_at(timeline, keys.times_s[i]);
+    if (!place || (!numbers->empty() && !timeline.keys[*place].controls.has((*numbers)[i])))
+      return base::Error{"there is no key at that moment", "times_s", "name the moment of a key"};
+    if (!numbers->empty()) {
+      places.push_back({*place, (*numbers)[i]});
+      continue;
+    }
+    for (std::size_t p = 0; p < document.pose.size(); ++p) {
+      if (timeline.keys[*place].controls.has(p)) places.push_back({*place, p});
+    }
+  }
+  return places;
 }
 
 /// The numbers of the controls that were performed.
@@ -42,9 +84,8 @@ base::Result<std::vector<std::size_t>> check_performed(const Document& document,
     return base::Error{"there is not one value for each control and moment", "values", "give one row a moment"};
   std::vector<std::size_t> numbers;
   for (const std::string& name : command.names) {
-    const auto number = rig::find_parameter(parameters, name);
-    if (!number)
-      return base::Error{"the model has no parameter \"" + name + "\"", "names", "look at the names in the model"};
+    const auto number = numbered(document, name, "names");
+    if (!number) return number.error();
     if (std::find(numbers.begin(), numbers.end(), *number) != numbers.end())
       return base::Error{"\"" + name + "\" is named twice", "names", "name it once"};
     numbers.push_back(*number);
@@ -64,14 +105,19 @@ base::Result<std::vector<std::size_t>> check_performed(const Document& document,
 
 Changed run(const Document& document, const SetKey& command, Parts&) {
   if (auto error = check_time(command.time_s, "time_s")) return *error;
-  Timeline timeline = *document.timeline;
-  const auto place = key_at(timeline, command.time_s);
-  if (is_at(timeline, place, command.time_s)) {
-    *place = {command.time_s, document.pose, command.name};
-  } else {
-    timeline.keys.insert(place, {command.time_s, document.pose, command.name});
-  }
-  Document changed = with_timeline(document, std::move(timeline));
+  const auto numbers = numbered(document, command.names);
+  if (!numbers) return numbers.error();
+  // The kind of a key that is there stays.
+  const auto place = key_at(*document.timeline, command.time_s);
+  TimelineEditing keys = edit(document);
+  const auto set = [&](std::size_t p) {
+    const bool known = place && document.timeline->keys[*place].controls.has(p);
+    keys.set(command.time_s, p, document.pose[p], known ? document.timeline->keys[*place].controls[p] : ControlKey{});
+  };
+  for (const std::size_t p : *numbers) set(p);
+  for (std::size_t p = 0; numbers->empty() && p < document.pose.size(); ++p) set(p);
+  keys.name(command.time_s, command.name);
+  Document changed = with_timeline(document, std::move(keys).finish());
   changed.time_s = command.time_s;
   return changed;
 }
@@ -79,72 +125,145 @@ Changed run(const Document& document, const SetKey& command, Parts&) {
 Changed run(const Document& document, const KeyPoses& command, Parts&) {
   const auto numbers = check_performed(document, command);
   if (!numbers) return numbers.error();
-  const std::vector<double>& times = command.times_s;
+  TimelineEditing keys = edit(document);
+  for (const PoseKey& key : document.timeline->keys) {
+    if (key.time_s < command.times_s.front() || key.time_s > command.times_s.back()) continue;
+    for (const std::size_t p : *numbers) keys.erase(key.time_s, p);
+  }
+  for (std::size_t i = 0; i < command.times_s.size(); ++i) {
+    for (std::size_t k = 0; k < numbers->size(); ++k)
+      keys.set(command.times_s[i], (*numbers)[k], command.values[i * numbers->size() + k], {});
+  }
+  return with_timeline(document, std::move(keys).finish());
+}
+
+Changed run(const Document& document, const DeleteKeys& command, Parts&) {
+  const auto places = places_of(document, command);
+  if (!places) return places.error();
+  TimelineEditing keys = edit(document);
+  for (const KeyPlace& one : *places) keys.erase(document.timeline->keys[one.place].time_s, one.parameter);
+  return with_timeline(document, std::move(keys).finish());
+}
+
+Changed run(const Document& document, const MoveKeys& command, Parts&) {
+  const auto places = places_of(document, command);
+  if (!places) return places.error();
+  if (!(command.scale > 0)) return base::Error{"keys cannot be scaled so", "scale", "give a number above 0"};
   const Timeline& before = *document.timeline;
-  // A pose with what was performed at a moment: at moment i, or evenly between the one before it and it.
-  const auto with_performed = [&](rig::Pose pose, double time_s, std::size_t i) {
-    const double* to = command.values.data() + i * numbers->size();
-    for (std::size_t k = 0; k < numbers->size(); ++k) {
-      pose[(*numbers)[k]] = to[k];
-      if (time_s == times[i]) continue;
-      const double from = to[static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(numbers->size())];
-      const double between = from + (to[k] - from) * ((time_s - times[i - 1]) / (times[i] - times[i - 1]));
-      pose[(*numbers)[k]] = std::clamp(between, std::min(from, to[k]), std::max(from, to[k]));
-    }
-    return pose;
+  const auto moved = [&](double time_s) {
+    const double to_s = command.about_s + (time_s - command.about_s) * command.scale + command.by_s;
+    return command.rate > 0 ? std::round(to_s * command.rate) / command.rate : to_s;
   };
-  Timeline timeline{before.interpolation, {}};
-  timeline.keys.reserve(before.keys.size() + times.size());
-  auto key = before.keys.begin();
-  const auto comes_before = [&](double time_s) { return key != before.keys.end() && key->time_s < time_s; };
-  for (; comes_before(times.front()); ++key) timeline.keys.push_back(*key);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    for (; comes_before(times[i]); ++key)
-      timeline.keys.push_back({key->time_s, with_performed(key->pose, key->time_s, i), key->name});
-    PoseKey one{times[i], before.keys.empty() ? document.pose : sample(before, times[i]), {}};
-    one.pose = with_performed(one.pose, times[i], i);
-    if (is_at(before, key, times[i])) one.name = (key++)->name;
-    timeline.keys.push_back(std::move(one));
+  for (const KeyPlace& one : *places) {
+    if (auto error = check_time(moved(before.keys[one.place].time_s), "by_s")) return *error;
   }
-  timeline.keys.insert(timeline.keys.end(), key, before.keys.end());
-  return with_timeline(document, std::move(timeline));
-}
-
-Changed run(const Document& document, const DeleteKey& command, Parts&) {
-  Timeline timeline = *document.timeline;
-  const auto place = key_at(timeline, command.time_s);
-  if (!is_at(timeline, place, command.time_s)) return no_key("time_s");
-  timeline.keys.erase(place);
-  return with_timeline(document, std::move(timeline));
-}
-
-Changed run(const Document& document, const MoveKey& command, Parts&) {
-  if (auto error = check_time(command.to_s, "to_s")) return *error;
-  Timeline timeline = *document.timeline;
-  const auto from = key_at(timeline, command.from_s);
-  if (!is_at(timeline, from, command.from_s)) return no_key("from_s");
-  PoseKey key = *from;
-  key.time_s = command.to_s;
-  timeline.keys.erase(from);
-  const auto to = key_at(timeline, command.to_s);
-  if (is_at(timeline, to, command.to_s)) {
-    return base::Error{"another key is at that moment", "to_s", "delete it first"};
+  TimelineEditing keys = edit(document);
+  std::map<std::size_t, std::size_t> taken;  // how many of a moment
+  for (const KeyPlace& one : *places) {
+    ++taken[one.place];
+    if (!command.copies) keys.erase(before.keys[one.place].time_s, one.parameter);
   }
-  timeline.keys.insert(to, std::move(key));
-  return with_timeline(document, std::move(timeline));
+  for (const KeyPlace& one : *places) {
+    const PoseKey& key = before.keys[one.place];
+    ControlKey control = key.controls[one.parameter];
+    control.in /= command.scale;
+    control.out /= command.scale;
+    keys.set(moved(key.time_s), one.parameter, key.pose[one.parameter], control);
+  }
+  for (const auto& [place, count] : taken) {
+    const PoseKey& key = before.keys[place];
+    std::size_t all = 0;
+    for (std::size_t p = 0; p < document.pose.size(); ++p) all += key.controls.has(p) ? 1 : 0;
+    if (count == all && !key.name.empty()) keys.name(moved(key.time_s), key.name);
+  }
+  return with_timeline(document, std::move(keys).finish());
 }
 
-Changed run(const Document& document, const SetKeyInterpolation& command, Parts&) {
-  Timeline timeline = *document.timeline;
-  timeline.interpolation = command.interpolation;
-  return with_timeline(document, std::move(timeline));
+Changed run(const Document& document, const SetKeyKind& command, Parts&) {
+  const auto places = places_of(document, command);
+  if (!places) return places.error();
+  if (command.kind == KeyKind::none) return base::Error{"a key has a kind", "kind", "delete the key instead"};
+  TimelineEditing keys = edit(document);
+  for (const KeyPlace& one : *places) {
+    const PoseKey& key = document.timeline->keys[one.place];
+    ControlKey control{command.kind, 0, 0};
+    if (command.kind == KeyKind::free) {
+      control = with_slopes(*document.timeline, one.place, one.parameter);
+      control.kind = KeyKind::free;
+    }
+    keys.set(key.time_s, one.parameter, key.pose[one.parameter], control);
+  }
+  return with_timeline(document, std::move(keys).finish());
+}
+
+Changed run(const Document& document, const SetKeyValues& command, Parts&) {
+  if (command.names.empty()) return base::Error{"no control is named", "names", "name one for each moment"};
+  const auto places = places_of(document, command);
+  if (!places) return places.error();
+  if (command.values.size() != places->size())
+    return base::Error{"there is not one value for each key", "values", "give one a key"};
+  TimelineEditing keys = edit(document);
+  for (std::size_t i = 0; i < places->size(); ++i) {
+    const KeyPlace& one = (*places)[i];
+    if (auto error = out_of_range(document.model->rig->parameters()[one.parameter], command.values[i])) return *error;
+    const PoseKey& key = document.timeline->keys[one.place];
+    keys.set(key.time_s, one.parameter, command.values[i], key.controls[one.parameter]);
+  }
+  return with_timeline(document, std::move(keys).finish());
+}
+
+Changed run(const Document& document, const SetKeySlopes& command, Parts&) {
+  const auto places = places_of(document, OfKeys{{command.time_s}, {command.name}});
+  if (!places) return places.error();
+  if (!(std::abs(command.in) <= k_steepest && std::abs(command.out) <= k_steepest))
+    return base::Error{"the slope is no number", "in", "give units a second, at most 1e9"};
+  TimelineEditing keys = edit(document);
+  const PoseKey& key = document.timeline->keys[places->front().place];
+  const std::size_t p = places->front().parameter;
+  keys.set(key.time_s, p, key.pose[p], {KeyKind::free, command.in, command.out});
+  return with_timeline(document, std::move(keys).finish());
+}
+
+Changed run(const Document& document, const Tween& command, Parts&) {
+  if (auto error = check_time(command.time_s, "time_s")) return *error;
+  if (!std::isfinite(command.share)) return base::Error{"the share is no number", "share", "give one, 0.5 is half way"};
+  const auto numbers = numbered(document, command.names);
+  if (!numbers) return numbers.error();
+  const Timeline& timeline = *document.timeline;
+  const auto after_it = std::lower_bound(timeline.keys.begin(), timeline.keys.end(), command.time_s,
+                                         [](const PoseKey& key, double time) { return key.time_s < time; });
+  const auto place = static_cast<std::size_t>(after_it - timeline.keys.begin());
+  const bool at_key = after_it != timeline.keys.end() && after_it->time_s == command.time_s;
+  TimelineEditing keys = edit(document);
+  bool any = false;
+  for (std::size_t p = 0; p < document.pose.size(); ++p) {
+    if (!numbers->empty() && std::find(numbers->begin(), numbers->end(), p) == numbers->end()) continue;
+    const auto before = place > 0 ? key_before(timeline, p, place - 1) : std::nullopt;
+    const auto after = key_after(timeline, p, place + (at_key ? 1 : 0));
+    if (!before || !after) continue;
+    any = true;
+    const double from = timeline.keys[*before].pose[p];
+    const double value = from + (timeline.keys[*after].pose[p] - from) * command.share;
+    const rig::Parameter& range = document.model->rig->parameters()[p];
+    const bool keyed = at_key && after_it->controls.has(p);
+    keys.set(command.time_s, p, std::clamp(value, range.minimum, range.maximum),
+             keyed ? after_it->controls[p] : ControlKey{});
+  }
+  if (!any)
+    return base::Error{"no control has a key before that moment and one after it", "time_s",
+                       "choose a moment between two keys"};
+  if (at_key) keys.name(command.time_s, after_it->name);
+  Document changed = with_timeline(document, std::move(keys).finish());
+  changed.time_s = command.time_s;
+  changed.pose = pose_at(changed, command.time_s);
+  return changed;
 }
 
 Changed run(const Document& document, const GoToTime& command, Parts&) {
   if (auto error = check_time(command.time_s, "time_s")) return *error;
   Document changed = document;
   changed.time_s = command.time_s;
-  if (!document.timeline->keys.empty()) changed.pose = sample(*document.timeline, command.time_s);
+  changed.pose = pose_at(document, command.time_s);
   return changed;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/text/letters.h"
+#include "core/document/time/timeline_animation.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/internal/gltf_source.h"
 #include "core/io/gltf/read/internal/gltf_animations.h"

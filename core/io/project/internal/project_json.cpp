@@ -6,56 +6,13 @@
 #include "core/document/commands/command_text.h"
 #include "core/io/project/internal/project_curves.h"
 #include "core/io/project/internal/project_face.h"
+#include "core/io/project/internal/project_time.h"
 #include "core/io/project/internal/project_values.h"
 
 namespace penpose::io {
 namespace {
 
 using document::Document;
-
-Problem read_timeline(const json::Json& project, const std::string& pointer, Document& out) {
-  const json::Json* value = json::find(project, "timeline");
-  if (value == nullptr) return std::nullopt;
-  const std::string here = json::child(pointer, "timeline");
-  if (!value->is_object()) return project_error("an object was expected", here);
-  document::Timeline timeline;
-  const json::Json* interpolation = json::find(*value, "interpolation");
-  if (interpolation == nullptr || (*interpolation != "linear" && *interpolation != "smooth")) {
-    return project_error("\"linear\" or \"smooth\" was expected", json::child(here, "interpolation"));
-  }
-  timeline.interpolation =
-      *interpolation == "linear" ? document::KeyInterpolation::linear : document::KeyInterpolation::smooth;
-  const json::Json* keys = json::find(*value, "keys");
-  const std::string list = json::child(here, "keys");
-  if (keys == nullptr || !keys->is_array()) return project_error("a list of keys was expected", list);
-  const auto parameters = out.model->rig->parameters();
-  for (std::size_t i = 0; i < keys->size(); ++i) {
-    const std::string at = json::child(list, i);
-    document::PoseKey key;
-    const json::Json* time = json::find((*keys)[i], "time_s");
-    const auto seconds = time == nullptr ? std::nullopt : json::number(*time);
-    const double before = timeline.keys.empty() ? -1.0 : timeline.keys.back().time_s;
-    if (!seconds || !(*seconds >= 0 && *seconds > before && *seconds <= document::k_latest_key_s)) {
-      return project_error("moments were expected that ascend from 0", json::child(at, "time_s"));
-    }
-    key.time_s = *seconds;
-    const json::Json* pose = json::find((*keys)[i], "pose");
-    if (pose == nullptr) return project_error("a pose was expected", json::child(at, "pose"));
-    rig::Pose values;
-    if (auto problem = read_row(*pose, json::child(at, "pose"), parameters.size(), values)) return problem;
-    if (const json::Json* name = json::find((*keys)[i], "name"); name != nullptr) {
-      if (!name->is_string()) return project_error("a name was expected", json::child(at, "name"));
-      key.name = name->get<std::string>();
-    }
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-      values[p] = std::clamp(values[p], parameters[p].minimum, parameters[p].maximum);
-    }
-    key.pose = std::move(values);
-    timeline.keys.push_back(std::move(key));
-  }
-  out.timeline = std::make_shared<const document::Timeline>(std::move(timeline));
-  return std::nullopt;
-}
 
 Problem read_locks(const json::Json& project, const std::string& pointer, Document& out) {
   const json::Json* locked = json::find(project, "locked");
@@ -211,14 +168,7 @@ json::Json project_to_json(const Document& document) {
   project["curves"] = std::move(curves);
   if (document.face) project["face"] = face_to_json(*document.face);
   if (document.neutral) project["neutral"] = face_to_json(*document.neutral);
-  json::Json keys = json::Json::array();
-  for (const document::PoseKey& key : document.timeline->keys) {
-    json::Json one = {{"time_s", key.time_s}, {"pose", static_cast<const rig::Pose&>(key.pose)}};
-    if (!key.name.empty()) one["name"] = key.name;
-    keys.push_back(std::move(one));
-  }
-  const bool linear = document.timeline->interpolation == document::KeyInterpolation::linear;
-  project["timeline"] = {{"interpolation", linear ? "linear" : "smooth"}, {"keys", std::move(keys)}};
+  project["timeline"] = timeline_to_json(document);
   json::Json views = json::Json::array();
   for (const auto& named : document.views) {
     views.push_back({{"name", named->name}, {"view", document::to_text(named->view)}});

@@ -11,9 +11,10 @@ namespace penpose::io {
 /// {"curves": [{"id", "role": "reference"|"constraint", "points": [[triangle, b0, b1, b2], ...], "kept": [[x, y, z],
 /// ...], "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}], "last_curve",
 /// "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
-/// {"interpolation", "keys": [{"time_s", "pose": [value, ...], "name" (if it has one)}]}, "views": [{"name", "view"}]}.
-/// Views and commands are written as core/document/commands/command_text.h says; "pose" is in the order of the model's
-/// parameters.
+/// {"keys": [{"time_s", "pose": [value, ...], "name" (if it has one), "controls": [[parameter, kind, in, out], ...]
+/// (those that have a key, in, out only where the kind is "free"; where all are smooth there is no list)}]}, "views":
+/// [{"name", "view"}]}. Views and commands are written as core/document/commands/command_text.h says; "pose" is in the
+/// order of the model's parameters.
 [[nodiscard]] json::Json project_to_json(const document::Document& document);
 
 /// The document of a project file from its model and the member "project" at `pointer`. Errors (place: JSON pointer): a

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/time/timeline_animation.h"
 #include "tests/support/models/sheet_model.h"
 
 namespace penpose::document {
@@ -10,10 +11,10 @@ namespace {
 TEST(AnimationPoses, ATimelineWrittenAsAnAnimationGivesItsKeysBack) {
   const Model model = tests::sheet_model();
   Timeline timeline;
-  timeline.interpolation = KeyInterpolation::linear;
   timeline.keys = {{0, rig::Pose{0.2, -0.5, 0.3, 0, 0}, ""},
                    {0.5, rig::Pose{0.9, 0.25, -0.2, 0.4, 0.1}, ""},
                    {2, rig::Pose{0, 1, 0, 0, -1}, ""}};
+  for (PoseKey& key : timeline.keys) key.controls = std::vector<ControlKey>(5, {KeyKind::linear, 0, 0});
   // Joints have no keys in between at this rate.
   const Animation animation = to_animation(model, timeline, 0.01);
   const auto moments = moments_of(animation);

@@ -1,10 +1,13 @@
 #include "core/document/time/timeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/document/time/animation_sampling.h"
+#include "core/document/time/timeline_animation.h"
+#include "core/document/time/timeline_editing.h"
 #include "tests/support/document_hand.h"
 #include "tests/support/models/test_rigs.h"
 
@@ -14,6 +17,21 @@ namespace {
 Timeline timeline_of(const std::vector<double>& times, const std::vector<double>& values) {
   Timeline timeline;
   for (std::size_t i = 0; i < times.size(); ++i) timeline.keys.push_back({times[i], rig::Pose{values[i]}, ""});
+  return timeline;
+}
+
+/// The pose at a time where every control has a key.
+rig::Pose sample(const Timeline& timeline, double time_s) {
+  return document::sample(timeline, time_s, rig::Pose(timeline.keys.front().pose.size(), 0.0));
+}
+
+constexpr std::array k_kinds{KeyKind::smooth,   KeyKind::linear, KeyKind::stepped, KeyKind::ease_in,
+                             KeyKind::ease_out, KeyKind::ease,   KeyKind::free};
+
+/// All keys of all controls in one kind.
+Timeline with_kind(Timeline timeline, KeyKind kind, double slope = 0) {
+  for (PoseKey& key : timeline.keys)
+    key.controls = std::vector<ControlKey>(key.pose.size(), ControlKey{kind, slope, slope});
   return timeline;
 }
 
@@ -40,9 +58,8 @@ Timeline random_timeline(const Model& model, std::size_t keys, std::uint64_t see
 }
 
 TEST(Timeline, MeetsItsKeysAndHoldsItsEnds) {
-  for (const auto interpolation : {KeyInterpolation::linear, KeyInterpolation::smooth}) {
-    auto timeline = timeline_of({1, 2, 4}, {0.25, 0.75, 0.5});
-    timeline.interpolation = interpolation;
+  for (const KeyKind kind : k_kinds) {
+    const auto timeline = with_kind(timeline_of({1, 2, 4}, {0.25, 0.75, 0.5}), kind, 0.1);
     EXPECT_EQ(sample(timeline, -1)[0], 0.25);
     EXPECT_EQ(sample(timeline, 1)[0], 0.25);
     EXPECT_EQ(sample(timeline, 2)[0], 0.75);
@@ -53,10 +70,73 @@ TEST(Timeline, MeetsItsKeysAndHoldsItsEnds) {
 }
 
 TEST(Timeline, LinearGoesStraight) {
-  auto timeline = timeline_of({1, 2, 4}, {0.25, 0.75, 0.5});
-  timeline.interpolation = KeyInterpolation::linear;
+  const auto timeline = with_kind(timeline_of({1, 2, 4}, {0.25, 0.75, 0.5}), KeyKind::linear);
   EXPECT_NEAR(sample(timeline, 1.5)[0], 0.5, 1e-15);
   EXPECT_NEAR(sample(timeline, 3)[0], 0.625, 1e-15);
+}
+
+TEST(Timeline, SteppedHoldsAndEasesStartAndArriveSlowly) {
+  const auto at = [](KeyKind kind, double time_s) {
+    return sample(with_kind(timeline_of({1, 3}, {0.2, 0.6}), kind), time_s)[0];
+  };
+  EXPECT_EQ(at(KeyKind::stepped, 2.999), 0.2);
+  EXPECT_EQ(at(KeyKind::stepped, 3), 0.6);
+  // A square of time from the key, and one to the next.
+  EXPECT_NEAR(at(KeyKind::ease_in, 1.5), 0.2 + 0.4 * 0.25 * 0.25, 1e-15);
+  EXPECT_NEAR(at(KeyKind::ease_out, 2.5), 0.6 - 0.4 * 0.25 * 0.25, 1e-15);
+  EXPECT_NEAR(at(KeyKind::ease, 2), 0.4, 1e-15);
+  EXPECT_NEAR(at(KeyKind::ease, 1.02), 0.2, 2e-4);
+  EXPECT_NEAR(at(KeyKind::ease, 2.98), 0.6, 2e-4);
+}
+
+TEST(Timeline, AFreeKeyLeavesWithItsSlope) {
+  auto timeline = timeline_of({0, 1, 2}, {0, 0.5, 0});
+  timeline.keys[1].controls = std::vector<ControlKey>{{KeyKind::free, 1.5, -2.0}};
+  EXPECT_NEAR((sample(timeline, 1)[0] - sample(timeline, 1 - 1e-7)[0]) / 1e-7, 1.5, 1e-5);
+  EXPECT_NEAR((sample(timeline, 1 + 1e-7)[0] - sample(timeline, 1)[0]) / 1e-7, -2.0, 1e-5);
+}
+
+TEST(Timeline, AControlGoesByItsOwnKeysAlone) {
+  // Moments 0, 1, 2, 3; the second control has keys at 0 and 3 only.
+  Timeline timeline;
+  for (int k = 0; k < 4; ++k) timeline.keys.push_back({1.0 * k, rig::Pose{0.1 * k, k == 3 ? 1.0 : 0.0}, ""});
+  const Timeline whole = timeline;
+  for (const std::size_t k : {1U, 2U})
+    timeline.keys[k].controls = std::vector<ControlKey>{{KeyKind::smooth, 0, 0}, {KeyKind::none, 0, 0}};
+  const Timeline two{{timeline.keys[0], timeline.keys[3]}};
+  for (const double time_s : {0.0, 0.3, 1.0, 1.7, 2.0, 2.9, 3.0}) {
+    EXPECT_EQ(sample(timeline, time_s)[0], sample(whole, time_s)[0]) << time_s;
+    EXPECT_EQ(sample(timeline, time_s)[1], sample(two, time_s)[1]) << time_s;
+  }
+  const std::vector<rig::Parameter> parameters{{"a", 0, 0, 1}, {"b", 0, 0, 1}};
+  const Timeline still = settled(timeline, parameters);
+  EXPECT_EQ(still.keys[1].pose[1], sample(two, 1)[1]) << "a pose at a key is what is seen there";
+}
+
+TEST(Timeline, WithoutAKeyAControlIsAsItIs) {
+  Timeline timeline = timeline_of({0, 1}, {0.2, 0.4});
+  for (PoseKey& key : timeline.keys) key.controls = std::vector<ControlKey>{{KeyKind::none, 0, 0}};
+  EXPECT_EQ(document::sample(timeline, 0.5, rig::Pose{0.7})[0], 0.7);
+  EXPECT_EQ(document::sample(Timeline{}, 0.5, rig::Pose{0.7})[0], 0.7);
+}
+
+TEST(Timeline, SlopesAreNoSteeperThanTheRangeAllows) {
+  const std::vector<rig::Parameter> parameters{{"a", 0, 0, 1}};
+  for (const double slope : {-80.0, -3.0, 0.5, 12.0, 1e9}) {
+    auto timeline = with_kind(timeline_of({0, 0.5, 2}, {0.1, 0.9, 0.4}), KeyKind::free, slope);
+    timeline = settled(timeline, parameters);
+    double most = 0;
+    for (double t = 0; t < 2; t += 0.001) {
+      const double value = sample(timeline, t)[0];
+      ASSERT_GE(value, 0) << slope << " " << t;
+      ASSERT_LE(value, 1) << slope << " " << t;
+      most = std::max(most, value);
+    }
+    if (slope > 1) {
+      EXPECT_GT(most, 0.99) << "no flatter than it must be";
+    }
+    EXPECT_EQ(settled(timeline, parameters), timeline);
+  }
 }
 
 TEST(Timeline, SmoothRisesWhereTheKeysRise) {
@@ -98,21 +178,19 @@ TEST(Timeline, NeverOvershootsItsKeys) {
   }
 }
 
-TEST(Timeline, TangentsAreFlatWhereTheCurveTurns) {
-  const std::vector<double> times{0, 1, 2, 3, 4};
-  const auto tangents = monotone_tangents(times, std::vector<double>{0, 1, 0.5, 0.5, 2});
-  EXPECT_EQ(tangents, (std::vector<double>{0, 0, 0, 0, 0}));
-  const auto rising = monotone_tangents(times, std::vector<double>{0, 1, 2, 3, 4});
-  EXPECT_EQ(rising[2], 1);
-  EXPECT_TRUE(monotone_tangents({}, {}).empty());
+TEST(Timeline, SlopesAreFlatWhereTheCurveTurns) {
+  EXPECT_EQ(monotone_slope(1, -0.5), 0);
+  EXPECT_EQ(monotone_slope(-0.5, 0), 0);
+  EXPECT_EQ(monotone_slope(1, 1), 1);
+  EXPECT_EQ(monotone_slope(0.1, 4), 3 * 0.1) << "cut, so that neither segment overshoots";
 }
 
 TEST(Timeline, AViewerOfTheAnimationSeesTheSame) {
   const Model model = tests::sheet_model();
-  for (const auto interpolation : {KeyInterpolation::linear, KeyInterpolation::smooth}) {
+  for (const KeyKind kind : k_kinds) {
     for (const std::size_t keys : {1U, 2U, 3U, 9U}) {
-      Timeline timeline = random_timeline(model, keys, 5, 1);
-      timeline.interpolation = interpolation;
+      const Timeline timeline =
+          settled(with_kind(random_timeline(model, keys, 5, 1), kind, 0.1), model.rig->parameters());
       const Animation animation = to_animation(model, timeline);
       EXPECT_EQ(animation.name, "timeline");
       EXPECT_EQ(duration_s(animation), timeline.keys.back().time_s);
@@ -130,6 +208,29 @@ TEST(Timeline, AViewerOfTheAnimationSeesTheSame) {
           ASSERT_NEAR(geometry::distance(expected[v], shown[v]), 0, 2e-3) << t << " " << v;
         }
       }
+    }
+  }
+}
+
+TEST(Timeline, AViewerSeesControlsOfAllKindsBesideEachOther) {
+  const Model model = tests::sheet_model();
+  std::mt19937_64 numbers(3);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Timeline timeline = random_timeline(model, 7, seed, 0.2);
+    for (PoseKey& key : timeline.keys) {
+      std::vector<ControlKey> list(key.pose.size());
+      for (ControlKey& one : list) {
+        one = {static_cast<KeyKind>(numbers() % 8), 0, 0};
+        if (one.kind == KeyKind::free) one = {one.kind, 0.3, -0.4};
+      }
+      key.controls = list;
+    }
+    timeline = settled(timeline, model.rig->parameters());
+    const Animation animation = to_animation(model, timeline);
+    for (double t = 0; t < timeline.keys.back().time_s + 0.5; t += 0.0137) {
+      const rig::Pose pose = document::sample(timeline, t, model.pose);
+      const auto seen = document::sample(model, animation, t);
+      for (std::size_t i = 0; i < 2; ++i) ASSERT_NEAR(seen.weights[i], pose[i], 1e-9) << seed << " " << t << " " << i;
     }
   }
 }

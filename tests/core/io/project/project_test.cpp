@@ -54,7 +54,8 @@ DocumentHand full_hand() {
   hand.does(SetKey{0.1, ""});
   hand.does(SetParameters{{{"lift", 0.9}, {"up", 0.5}, {"base.ry", -0.3}}});
   hand.does(SetKey{2, "smile \"x\""});
-  hand.does(SetKeyInterpolation{KeyInterpolation::linear});
+  hand.does(SetKeyKind{{{0.1}, {}}, KeyKind::linear});
+  hand.does(SetKeySlopes{2, "lift", -0.1, 0.2});
   hand.does(GoToTime{1.0 / 3});
   hand.does(SaveView{"front/top", hand.view});
   View side = hand.view;

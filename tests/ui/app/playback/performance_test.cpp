@@ -128,9 +128,8 @@ TEST(Performing, ASecondTakeKeepsWhatTheFirstOneMoved) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const bool brows = parameters[i].name.starts_with("brow");
     for (std::size_t k = 0; k < first->keys.size(); ++k) {
-      if (!brows) {
-        EXPECT_NEAR(document::sample(*second, first->keys[k].time_s)[i], first->keys[k].pose[i], 1e-9)
-            << parameters[i].name << " at key " << k;
+      if (const auto value = document::sample(*second, i, first->keys[k].time_s); value && !brows) {
+        EXPECT_NEAR(*value, first->keys[k].pose[i], 1e-9) << parameters[i].name << " at key " << k;
       }
       moved = moved || (brows && second->keys[k].pose[i] != first->keys[k].pose[i]);
     }

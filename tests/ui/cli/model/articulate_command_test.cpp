@@ -42,7 +42,7 @@ class SharedElephant : public ArticulateCommand {};
 TEST_F(ArticulateCommand, AProjectKeepsItsKeysAndViews) {
   auto document = files::load_document(path("model.glb")).value();
   document.timeline =
-      std::make_shared<const document::Timeline>(document::Timeline{{}, {{0, rig::Pose(), ""}, {1, rig::Pose(), ""}}});
+      std::make_shared<const document::Timeline>(document::Timeline{{{0, rig::Pose(), ""}, {1, rig::Pose(), ""}}});
   document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
   const auto project = io::write_project(document).value();
   save("project.glb", std::string(project.begin(), project.end()));

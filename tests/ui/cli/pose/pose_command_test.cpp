@@ -75,7 +75,7 @@ class SharedPoseCommand : public PoseCommand {};
 TEST_F(PoseCommand, AProjectKeepsItsKeys) {
   auto document = document::make_document(model_);
   document.timeline = std::make_shared<const document::Timeline>(
-      document::Timeline{{}, {{0, rig::Pose(6, 0.0), "rest"}, {1, rig::Pose(6, 0.25), "other"}}});
+      document::Timeline{{{0, rig::Pose(6, 0.0), "rest"}, {1, rig::Pose(6, 0.25), "other"}}});
   const auto glb = io::write_project(document).value();
   save("p.glb", std::string(glb.begin(), glb.end()));
   ASSERT_EQ(pose({path("p.glb"), "--cases", path("c.json"), "--case", "case3", "-o", path("out.glb"), "--json"}), 0);

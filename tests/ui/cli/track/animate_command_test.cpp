@@ -131,8 +131,8 @@ TEST_F(AnimateCommand, AProjectKeepsItsViewsLocksAndKeys) {
   rig::Pose open = document.pose;
   const auto jaw = rig::find_parameter(document.model->rig->parameters(), "jaw").value();
   open[jaw] = 1;
-  document.timeline = std::make_shared<const document::Timeline>(
-      document::Timeline{{}, {{0, document.pose, "rest"}, {1, open, "open"}}});
+  document.timeline =
+      std::make_shared<const document::Timeline>(document::Timeline{{{0, document.pose, "rest"}, {1, open, "open"}}});
   document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
   document.locked = {"lip_upper"};
   const auto project = io::write_project(document).value();

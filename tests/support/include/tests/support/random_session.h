@@ -149,11 +149,11 @@ class RandomHand {
       case 21:
         return SetKey{time_s, random_.chance(0.3) ? "smile" : ""};
       case 22:
-        return DeleteKey{time_s};
+        return DeleteKeys{{{time_s}, {}}};
       case 23:
-        return MoveKey{time_s, static_cast<double>(random_.below(12)) * 0.25};
+        return MoveKeys{{{time_s}, {}}, static_cast<double>(random_.below(12)) * 0.25 - time_s};
       case 24:
-        return SetKeyInterpolation{random_.chance(0.5) ? KeyInterpolation::linear : KeyInterpolation::smooth};
+        return SetKeyKind{{{time_s}, {}}, random_.chance(0.5) ? KeyKind::linear : KeyKind::stepped};
       case 25:
         return GoToTime{random_.real(0, 3)};
       case 26:

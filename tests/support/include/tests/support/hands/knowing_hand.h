@@ -173,14 +173,35 @@ class KnowingHand {
     const double time_s = random_.real(0, 4);
     return document::SetKey{time_s, random_.chance(0.3) ? "smile" : ""};
   }
-  document::Command make(Tag<document::DeleteKey>) { return document::DeleteKey{key_time()}; }
-  document::Command make(Tag<document::MoveKey>) {
-    const double from_s = key_time();
-    return document::MoveKey{from_s, random_.real(0, 4)};
+  document::Command make(Tag<document::DeleteKeys>) { return document::DeleteKeys{some_keys()}; }
+  document::Command make(Tag<document::MoveKeys>) {
+    const document::OfKeys keys = some_keys();
+    const double by_s = random_.real(0, 4) - keys.times_s.front();
+    document::MoveKeys command{keys, by_s};
+    command.about_s = keys.times_s.front();
+    command.scale = random_.real(0.5, 1.5);
+    command.copies = random_.chance(0.3);
+    command.rate = random_.chance(0.5) ? 24 : 0;
+    return command;
   }
-  document::Command make(Tag<document::SetKeyInterpolation>) {
-    return document::SetKeyInterpolation{random_.chance(0.5) ? document::KeyInterpolation::linear
-                                                             : document::KeyInterpolation::smooth};
+  document::Command make(Tag<document::SetKeyKind>) {
+    return document::SetKeyKind{some_keys(), static_cast<document::KeyKind>(random_.below(7))};
+  }
+  document::Command make(Tag<document::SetKeyValues>) {
+    document::SetKeyValues command{one_key(), {}};
+    for (const std::string& name : command.names) {
+      const auto known = doc().model->rig->parameters();
+      const auto number = rig::find_parameter(known, name);
+      command.values.push_back(number ? random_.real(known[*number].minimum, known[*number].maximum) : 0);
+    }
+    return command;
+  }
+  document::Command make(Tag<document::SetKeySlopes>) {
+    const document::OfKeys key = one_key();
+    return document::SetKeySlopes{key.times_s.front(), key.names.front(), random_.real(-3, 3), random_.real(-3, 3)};
+  }
+  document::Command make(Tag<document::Tween>) {
+    return document::Tween{random_.real(0, 4), random_.real(-0.2, 1.2), {}};
   }
   document::Command make(Tag<document::GoToTime>) { return document::GoToTime{random_.real(0, 4)}; }
   document::Command make(Tag<document::SaveView>) {
@@ -190,6 +211,17 @@ class KnowingHand {
   }
   document::Command make(Tag<document::DeleteView>) {
     return document::DeleteView{doc().views.empty() ? "side" : any(doc().views)->name};
+  }
+
+  document::Command make(Tag<document::RedrawArc>) {
+    const double from_s = random_.real(0, 3);
+    return document::RedrawArc{{static_cast<std::uint32_t>(random_.below(40)), {0.5, 0.25, 0.25}},
+                               view(),
+                               from_s,
+                               from_s + random_.real(0.1, 1),
+                               24,
+                               hand_.line(),
+                               {}};
   }
 
   /// Holds what the keys move, and something else; without keys there is nothing to suggest, so that it keys first.
@@ -374,6 +406,18 @@ class KnowingHand {
   }
   std::string fresh_name() { return "name " + std::to_string(++names_); }
   double key_time() { return doc().timeline->keys.empty() ? 0 : any(doc().timeline->keys).time_s; }
+  document::OfKeys one_key() {
+    if (doc().timeline->keys.empty()) return {{0}, {parameter()}};
+    const document::PoseKey& key = any(doc().timeline->keys);
+    const auto known = doc().model->rig->parameters();
+    std::vector<std::string> keyed;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (key.controls.has(i)) keyed.push_back(known[i].name);
+    }
+    return {{key.time_s}, {any(keyed)}};
+  }
+  /// A whole moment, or one control's key.
+  document::OfKeys some_keys() { return random_.chance(0.5) ? document::OfKeys{{key_time()}, {}} : one_key(); }
   document::CurveId curve(bool with_target) {
     std::vector<document::CurveId> found;
     for (const auto& one : doc().curves) {
@@ -399,23 +443,59 @@ class KnowingHand {
   RandomHand hand_;
   /// In the order of the committed hashes, wherever the program lists them: a new one comes last.
   static constexpr std::array<std::string_view, std::variant_size_v<document::Command>> k_commands{
-      "set_parameters",    "reset_parameters",   "lock_parameters",
-      "draw_reference",    "draw_target",        "oversketch_target",
-      "drag_target",       "draw_constraint",    "pin",
-      "keep_curve",        "delete_curve",       "erase_curves",
-      "clear_curves",      "solve_pose",         "set_pressure_weighting",
-      "name_curve",        "delete_named_curve", "begin_deformer",
-      "sketch_curve",      "cancel_deformer",    "redraw_curve",
-      "change_deformer",   "mirror_deformer",    "rename_deformer",
-      "delete_deformer",   "move_deformer",      "set_key",
-      "delete_key",        "move_key",           "set_key_interpolation",
-      "go_to_time",        "save_view",          "delete_view",
-      "suggest_rest",      "set_hand",           "begin_correction",
-      "delete_correction", "take_region",        "draw_between",
-      "delete_between",    "pull_between",       "pull_target",
-      "place_curve",       "place_target",       "key_poses",
-      "take_reading",      "draw_face_line",     "name_face_line",
+      "set_parameters",
+      "reset_parameters",
+      "lock_parameters",
+      "draw_reference",
+      "draw_target",
+      "oversketch_target",
+      "drag_target",
+      "draw_constraint",
+      "pin",
+      "keep_curve",
+      "delete_curve",
+      "erase_curves",
+      "clear_curves",
+      "solve_pose",
+      "set_pressure_weighting",
+      "name_curve",
+      "delete_named_curve",
+      "begin_deformer",
+      "sketch_curve",
+      "cancel_deformer",
+      "redraw_curve",
+      "change_deformer",
+      "mirror_deformer",
+      "rename_deformer",
+      "delete_deformer",
+      "move_deformer",
+      "set_key",
+      "delete_keys",
+      "move_keys",
+      "set_key_kind",
+      "go_to_time",
+      "save_view",
+      "delete_view",
+      "suggest_rest",
+      "set_hand",
+      "begin_correction",
+      "delete_correction",
+      "take_region",
+      "draw_between",
+      "delete_between",
+      "pull_between",
+      "pull_target",
+      "place_curve",
+      "place_target",
+      "key_poses",
+      "take_reading",
+      "draw_face_line",
+      "name_face_line",
       "set_neutral",
+      "set_key_values",
+      "set_key_slopes",
+      "tween",
+      "redraw_arc",
   };
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
   std::set<std::string> drawn_;

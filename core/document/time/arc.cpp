@@ -1,0 +1,247 @@
+#include "core/document/time/arc.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/algebra/cholesky.h"
+#include "core/document/time/key_fit.h"
+#include "core/document/time/timeline_editing.h"
+
+namespace penpose::document {
+namespace {
+
+constexpr double k_tolerance_px = 0.5;
+/// What a control costs that does not move in these moments, beside one that does.
+constexpr double k_other_cost = 30;
+/// A difference of a control, as a share of its range.
+constexpr double k_step_share = 1e-4;
+constexpr double k_least_change_share = 1e-5;
+/// px of a control's whole range: less is nothing.
+constexpr double k_least_effect_px = 0.05;
+constexpr int k_rounds = 6;
+
+/// A control that may move, in shares of its range.
+struct FreeControl {
+  std::size_t parameter = 0;
+  double range = 1;
+  double cost = 1;
+};
+
+std::vector<FreeControl> free_controls(const Document& document, const ArcView& view, std::span<const double> moments) {
+  const auto parameters = document.model->rig->parameters();
+  const Timeline& timeline = *document.timeline;
+  std::vector<FreeControl> free;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double range = parameters[i].maximum - parameters[i].minimum;
+    const bool locked =
+        std::find(document.locked.begin(), document.locked.end(), parameters[i].name) != document.locked.end();
+    if (!view.moves(i) || locked || !(range > 0)) continue;
+    const auto first = sample(timeline, i, moments.front());
+    const bool varies = first && std::any_of(moments.begin(), moments.end(), [&](double time_s) {
+                          return std::abs(*sample(timeline, i, time_s) - *first) > k_least_change_share * range;
+                        });
+    free.push_back({i, range, varies ? 1 : k_other_cost});
+  }
+  return free;
+}
+
+/// One frame: the least change of the pose, by what it costs, that brings the point to its place.
+class FrameSolver {
+ public:
+  FrameSolver(const Document& document, const ArcView& view, std::vector<FreeControl> free)
+      : parameters_(document.model->rig->parameters()), view_(view), free_(std::move(free)) {}
+
+  [[nodiscard]] const std::vector<FreeControl>& free() const { return free_; }
+  /// Errors: the point is behind the eye.
+  base::Status solve(rig::Pose& pose, const PxPoint& target) const {
+    const rig::Pose start = pose;
+    for (int round = 0; round < k_rounds; ++round) {
+      const auto now = view_.at(pose);
+      if (!now) return base::Error{"the point is behind the eye", "view", "turn the view"};
+      const PxPoint away = target - *now;
+      if (geometry::dot(away, away) < 1e-4) break;
+      if (!step(start, pose, *now, away)) break;
+    }
+    return base::Done{};
+  }
+
+ private:
+  /// A Gauss-Newton step; false where nothing moves the point.
+  bool step(const rig::Pose& start, rig::Pose& pose, const PxPoint& now, const PxPoint& away) const {
+    std::vector<PxPoint> effects(free_.size());
+    std::vector<bool> held(free_.size(), false);
+    PxPoint wanted = away;
+    bool any = false;
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      effects[k] = effect_of(free_[k], pose, now);
+      any = any || geometry::dot(effects[k], effects[k]) > k_least_effect_px * k_least_effect_px;
+      // The change is reckoned from the start, of which the least is wanted.
+      wanted = wanted + effects[k] * ((pose[free_[k].parameter] - start[free_[k].parameter]) / free_[k].range);
+    }
+    if (!any) return false;
+    // Controls that would leave their ranges are held at their ends, and the others found anew.
+    for (std::size_t holds = 0; holds <= free_.size(); ++holds) {
+      const auto shift = multiplier(effects, held, start, wanted);
+      bool held_more = false;
+      for (std::size_t k = 0; k < free_.size(); ++k) {
+        if (held[k]) continue;
+        const std::size_t p = free_[k].parameter;
+        const double share = (effects[k].x * shift.x + effects[k].y * shift.y) / free_[k].cost;
+        const double value = start[p] + share * free_[k].range;
+        pose[p] = std::clamp(value, parameters_[p].minimum, parameters_[p].maximum);
+        if (pose[p] != value) held[k] = held_more = true;
+      }
+      if (!held_more) break;
+      ends_ = pose;
+    }
+    return true;
+  }
+
+  PxPoint effect_of(const FreeControl& control, const rig::Pose& pose, const PxPoint& now) const {
+    const std::size_t p = control.parameter;
+    rig::Pose other = pose;
+    const bool up = pose[p] + k_step_share * control.range <= parameters_[p].maximum;
+    other[p] += (up ? k_step_share : -k_step_share) * control.range;
+    const auto there = view_.at(other);
+    return there ? (*there - now) * (1 / (up ? k_step_share : -k_step_share)) : PxPoint{0, 0};
+  }
+
+  /// y of (J W^-1 J') y = what is left of the way.
+  PxPoint multiplier(std::span<const PxPoint> effects, const std::vector<bool>& held, const rig::Pose& start,
+                     const PxPoint& wanted) const {
+    std::array<double, 4> matrix{};
+    PxPoint left = wanted;
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      const PxPoint& e = effects[k];
+      if (held[k]) {
+        left = left - e * ((ends_[free_[k].parameter] - start[free_[k].parameter]) / free_[k].range);
+        continue;
+      }
+      matrix[0] += e.x * e.x / free_[k].cost;
+      matrix[2] += e.y * e.x / free_[k].cost;
+      matrix[3] += e.y * e.y / free_[k].cost;
+    }
+    // Across the way that the controls know, the point stays off its place: nothing blows up.
+    const double ridge = 1e-4 * (matrix[0] + matrix[3]) + 1e-12;
+    matrix[0] += ridge;
+    matrix[3] += ridge;
+    std::array<double, 2> y{left.x, left.y};
+    if (!algebra::factor(matrix.data(), 2)) return {0, 0};
+    algebra::solve_factored(matrix.data(), 2, y.data());
+    return {y[0], y[1]};
+  }
+
+  std::span<const rig::Parameter> parameters_;
+  const ArcView& view_;
+  std::vector<FreeControl> free_;
+  mutable rig::Pose ends_;
+};
+
+double length_of(std::span<const PxPoint> line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += geometry::distance(line[i - 1], line[i]);
+  return length;
+}
+
+/// The point at a share of the length of a line.
+PxPoint along(std::span<const PxPoint> line, double share) {
+  double left = share * length_of(line);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double step = geometry::distance(line[i - 1], line[i]);
+    if (left <= step && step > 0) return line[i - 1] + (line[i] - line[i - 1]) * (left / step);
+    left -= step;
+  }
+  return line.back();
+}
+
+}  // namespace
+
+ArcView::ArcView(const Document& document, const posing::CurvePoint& point, const geometry::Camera& camera)
+    : point_(point), camera_(camera), bound_(document.model->rig->bind(point.vertex)) {}
+
+std::optional<PxPoint> ArcView::at(std::span<const double> pose) const {
+  std::array<geometry::ModelPoint, 3> corners;
+  bound_->evaluate(pose, corners);
+  geometry::ModelPoint place{0};
+  for (std::size_t i = 0; i < 3; ++i) place += corners[i] * point_.weight[i];
+  return camera_.project(place);
+}
+
+std::vector<PxPoint> arc_of(const Document& document, const posing::CurvePoint& point, const geometry::Camera& camera,
+                            std::span<const double> moments_s) {
+  const ArcView view(document, point, camera);
+  std::vector<PxPoint> arc;
+  for (const double time_s : moments_s) {
+    const auto at = view.at(pose_at(document, time_s));
+    arc.push_back(at ? *at : arc.empty() ? PxPoint{0, 0} : arc.back());
+  }
+  return arc;
+}
+
+ArcTarget target_along(std::span<const PxPoint> line, std::span<const double> shares, std::span<const double> moments_s,
+                       std::span<const PxPoint> now) {
+  ArcTarget target{{moments_s.begin(), moments_s.end()}, {}};
+  const double whole = length_of(now);
+  double passed = 0;
+  for (std::size_t f = 0; f < moments_s.size(); ++f) {
+    const double share_of_time = (moments_s[f] - moments_s.front()) / (moments_s.back() - moments_s.front());
+    if (shares.empty()) {
+      if (f > 0) passed += geometry::distance(now[f - 1], now[f]);
+      target.points.push_back(along(line, whole > 0 ? passed / whole : share_of_time));
+      continue;
+    }
+    const auto after = std::lower_bound(shares.begin(), shares.end(), share_of_time);
+    if (after == shares.begin() || after == shares.end()) {
+      target.points.push_back(after == shares.begin() ? line.front() : line.back());
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(after - shares.begin());
+    const double span = shares[i] - shares[i - 1];
+    const double u = span > 0 ? (share_of_time - shares[i - 1]) / span : 1;
+    target.points.push_back(line[i - 1] + (line[i] - line[i - 1]) * u);
+  }
+  return target;
+}
+
+base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoint& point,
+                                const geometry::Camera& camera, const ArcTarget& target) {
+  const ArcView view(document, point, camera);
+  const std::span<const double> moments = target.moments_s;
+  const FrameSolver solver(document, view, free_controls(document, view, moments));
+  if (solver.free().empty()) return base::Error{"no control that is free moves this point", "point", "unlock one"};
+  std::vector<rig::Pose> poses;
+  for (std::size_t f = 0; f < moments.size(); ++f) {
+    poses.push_back(pose_at(document, moments[f]));
+    if (const auto solved = solver.solve(poses.back(), target.points[f]); !solved) return solved.error();
+  }
+  std::vector<std::size_t> changed;
+  for (const FreeControl& control : solver.free()) {
+    const bool any = std::any_of(moments.begin(), moments.end(), [&](const double& moment) {
+      const auto f = static_cast<std::size_t>(&moment - moments.data());
+      return std::abs(poses[f][control.parameter] - pose_at(document, moment)[control.parameter]) >
+             k_least_change_share * control.range;
+    });
+    if (any) changed.push_back(control.parameter);
+  }
+  if (changed.empty()) return *document.timeline;
+  KeyFit fit(moments, poses, changed);
+  fit.refine(k_tolerance_px, [&](const rig::Pose& fitted, std::size_t f) {
+    const auto at = view.at(fitted);
+    const auto meant = view.at(poses[f]);
+    return at && meant ? geometry::distance(*at, *meant) : 0;
+  });
+  TimelineEditing keys(*document.timeline, document.model->rig->parameters(), document.pose);
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    keys.open_span(changed[c], moments.front(), moments.back());
+    for (const std::size_t k : fit.keys()) {
+      const auto [value, slope] = fit.at(c, k);
+      const rig::Parameter& range = document.model->rig->parameters()[changed[c]];
+      keys.bend(moments[k], changed[c], std::clamp(value, range.minimum, range.maximum), slope, k > 0,
+                k + 1 < moments.size());
+    }
+  }
+  return std::move(keys).finish();
+}
+
+}  // namespace penpose::document

@@ -1,0 +1,232 @@
+// Arcs that are redrawn: how near the path is to the line, and how many keys that takes.
+//
+//   arc_bench MODEL... [--seed N] [--clips N]
+//
+// Each clip has three to six whole poses of random controls within 1 to 3 s, 24 frames a second. The middle of a
+// feature that travels at least 15 px of 1000 is seen from the front; its path between two of the keys is bent aside by
+// a smooth bow of up to a third of its length, by a hand that strays half a px. What is measured: px from the frames to
+// the line, frames of the spacing (the moment at which the path was that far along, before and after), keys per frame
+// of what was redrawn, and the roughness of the path, the root mean square of its second differences, beside that of
+// what was asked for, and milliseconds. Controls may not reach a bow: those that leave more than 10 px are counted
+// apart.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/document/commands/apply.h"
+#include "core/document/features/feature_curves.h"
+#include "core/document/time/arc.h"
+#include "tests/support/random.h"
+#include "ui/files/load_model.h"
+#include "ui/render/framing.h"
+
+namespace penpose {
+namespace {
+
+using document::PxPoint;
+
+constexpr int k_rate = 24;
+
+struct Row {
+  std::vector<double> off_px, spacing_frames, key_share, rougher, ms;
+  int clips = 0, out_of_reach = 0;
+};
+
+double length_of(std::span<const PxPoint> places) {
+  double length = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) length += geometry::distance(places[i - 1], places[i]);
+  return length;
+}
+
+double distance_to_line(const PxPoint& at, std::span<const PxPoint> line) {
+  double least = 1e300;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double u = geometry::nearest_share(at, line[i - 1], line[i]);
+    least = std::min(least, geometry::distance(at, line[i - 1] + (line[i] - line[i - 1]) * u));
+  }
+  return least;
+}
+
+double roughness(std::span<const PxPoint> places) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    const PxPoint second = places[i - 1] + places[i + 1] - places[i] * 2;
+    sum += geometry::dot(second, second);
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, places.size() - 2)));
+}
+
+double median(std::vector<double> values, double share = 0.5) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+class Clip {
+ public:
+  Clip(document::Document document, tests::Random& random) : document_(std::move(document)), random_(random) {
+    const auto parameters = document_.model->rig->parameters();
+    const auto poses = static_cast<std::size_t>(random(3, 6.99));
+    const double length_s = random(1, 3);
+    for (std::size_t k = 0; k < poses; ++k) {
+      document::SetParameters values;
+      for (const rig::Parameter& one : parameters) {
+        if (random(0, 1) > 0.25) continue;
+        const double low = one.rest - 0.7 * (one.rest - one.minimum);
+        const double high = one.rest + 0.7 * (one.maximum - one.rest);
+        values.values.push_back({one.name, random(low, high)});
+      }
+      does(document::ResetParameters{});
+      if (!values.values.empty()) does(values);
+      const double at_s = length_s * static_cast<double>(k) / static_cast<double>(poses - 1);
+      does(document::SetKey{std::round(at_s * k_rate) / k_rate, {}});
+    }
+  }
+
+  void measure(std::span<const portrait::FeatureCurve> features, const geometry::Camera& camera,
+               const document::View& view, Row& row) {
+    const auto& feature = features[static_cast<std::size_t>(random_(0, static_cast<double>(features.size()) - 0.01))];
+    const posing::CurvePoint& middle = feature.points[feature.points.size() / 2];
+    const auto triangles = document_.model->mesh->triangles();
+    const auto most = std::max_element(middle.weight.begin(), middle.weight.end()) - middle.weight.begin();
+    mesh::MeshPoint point{};
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      const auto corner =
+          std::find(triangles[t].begin(), triangles[t].end(), middle.vertex[static_cast<std::size_t>(most)]);
+      if (corner == triangles[t].end()) continue;
+      point = {t, {0, 0, 0}};
+      point.barycentric[static_cast<std::size_t>(corner - triangles[t].begin())] = 1;
+      break;
+    }
+    const auto& keys = document_.timeline->keys;
+    const double from_s = keys.front().time_s;
+    const double to_s = keys.back().time_s;
+    std::vector<double> moments;
+    for (int f = 0; f <= static_cast<int>(std::lround((to_s - from_s) * k_rate)); ++f)
+      moments.push_back(from_s + static_cast<double>(f) / k_rate);
+    const posing::CurvePoint at = posing::at_mesh_point(point, triangles);
+    const auto before = document::arc_of(document_, at, camera, moments);
+    const double travels = length_of(before);
+    if (travels < 15) return;
+    ++row.clips;
+    // Bent aside by a bow along the whole of it.
+    const double bow = random_(-0.3, 0.3) * std::min(travels, 120.0);
+    document::RedrawArc redraw{point, view, from_s, to_s, k_rate, {}, {}};
+    double passed = 0;
+    for (std::size_t f = 0; f < before.size(); ++f) {
+      if (f > 0) passed += geometry::distance(before[f - 1], before[f]);
+      const double u = passed / travels;
+      redraw.line.push_back(before[f] + PxPoint{0.6 * bow, bow} * (4 * u * (1 - u)) +
+                            PxPoint{random_(-0.5, 0.5), random_(-0.5, 0.5)});
+    }
+    redraw.line.front() = before.front();
+    redraw.line.back() = before.back();
+    const auto wanted = document::target_along(redraw.line, {}, moments, before);
+    const auto start = std::chrono::steady_clock::now();
+    auto changed = document::apply(document_, redraw, work_);
+    row.ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    if (!changed) {
+      ++row.out_of_reach;
+      return;
+    }
+    const auto after = document::arc_of(*changed, at, camera, moments);
+    double off = 0;
+    double frames = 0;
+    for (std::size_t f = 0; f < after.size(); ++f) {
+      off = std::max(off, distance_to_line(after[f], redraw.line));
+      // Where the wanted path is as the frame is, in frames from where it should be.
+      double least = 1e300;
+      double there = static_cast<double>(f);
+      for (std::size_t i = 1; i < wanted.points.size(); ++i) {
+        const double u = geometry::nearest_share(after[f], wanted.points[i - 1], wanted.points[i]);
+        const PxPoint on = wanted.points[i - 1] + (wanted.points[i] - wanted.points[i - 1]) * u;
+        const double away_frames = std::abs(static_cast<double>(i - 1) + u - static_cast<double>(f));
+        // The path may cross itself: only what is near in time counts.
+        const double away = geometry::distance(on, after[f]) + 0.02 * away_frames;
+        if (away < least) {
+          least = away;
+          there = static_cast<double>(i - 1) + u;
+        }
+      }
+      frames = std::max(frames, std::abs(there - static_cast<double>(f)));
+    }
+    if (off > 10) {
+      ++row.out_of_reach;
+      return;
+    }
+    row.off_px.push_back(off);
+    row.spacing_frames.push_back(frames);
+    row.key_share.push_back(static_cast<double>(changed->timeline->keys.size()) / static_cast<double>(moments.size()));
+    row.rougher.push_back(roughness(after) / std::max(1e-9, std::max(roughness(before), roughness(wanted.points))));
+  }
+
+ private:
+  void does(const document::Command& command) {
+    auto changed = document::apply(document_, command, work_);
+    if (changed) document_ = std::move(changed).value();
+  }
+  document::Document document_;
+  document::ApplyWorkspace work_;
+  tests::Random& random_;
+};
+
+int measure(const std::vector<std::string>& models, std::uint64_t seed, int clips) {
+  for (const std::string& name : models) {
+    auto document = files::load_document(name);
+    if (!document) {
+      std::printf("%s\n", document.error().line(name).c_str());
+      return 1;
+    }
+    const auto& model = *document->model;
+    const auto features = document::feature_curves_of(model, intent::measure_whole_model(*model.rig), {});
+    if (!features) {
+      std::printf("%s\n", features.error().line(name).c_str());
+      return 1;
+    }
+    std::vector<glm::vec3> points;
+    for (const auto& p : model.mesh->positions()) points.emplace_back(p);
+    document::View view;
+    view.viewport = {1000, 1000};
+    const auto camera = render::frame_points(points, view.viewport, {0, 0});
+    view.camera = camera.pose();
+    tests::Random random(seed);
+    Row row;
+    for (int i = 0; i < clips; ++i) Clip(*document, random).measure(features->curves, camera, view, row);
+    std::printf("%s: %d arcs, %d out of reach\n", name.c_str(), row.clips, row.out_of_reach);
+    const auto line = [](const char* what, const std::vector<double>& values) {
+      std::printf("  %-34s median %7.3f   p90 %7.3f   most %7.3f\n", what, median(values), median(values, 0.9),
+                  median(values, 1));
+    };
+    line("px off the line", row.off_px);
+    line("frames of the spacing", row.spacing_frames);
+    line("keys a frame", row.key_share);
+    line("roughness beside what was asked", row.rougher);
+    line("milliseconds", row.ms);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace penpose
+
+int main(int count, char** arguments) {
+  std::vector<std::string> models;
+  std::uint64_t seed = 7;
+  int clips = 100;
+  for (int i = 1; i < count; ++i) {
+    const std::string one = arguments[i];
+    if (one == "--seed" && i + 1 < count) {
+      seed = std::stoull(arguments[++i]);
+    } else if (one == "--clips" && i + 1 < count) {
+      clips = std::stoi(arguments[++i]);
+    } else {
+      models.push_back(one);
+    }
+  }
+  if (models.empty()) models = {"builtin:demo"};
+  return penpose::measure(models, seed, clips);
+}

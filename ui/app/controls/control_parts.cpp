@@ -1,0 +1,88 @@
+#include "ui/app/controls/control_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/geometry/space.h"
+
+namespace penpose::app {
+namespace {
+
+/// A control that moves a feature by less than this share of what it moves its own feature by says nothing.
+constexpr double k_least_move = 1e-6;
+
+std::optional<FacePart> part_of_feature(std::string_view name) {
+  const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+  if (has("brow")) return FacePart::brows;
+  if (has("lid") || has("eye")) return FacePart::eyes;
+  if (has("lip") || has("mouth") || has("jaw")) return FacePart::mouth;
+  return std::nullopt;
+}
+
+/// The vertices below the points of features, and the part of each.
+struct FeatureVertices {
+  std::vector<std::uint32_t> vertices;
+  std::vector<FacePart> parts;
+};
+
+FeatureVertices vertices_of(std::span<const portrait::FeatureCurve> features) {
+  FeatureVertices all;
+  for (const portrait::FeatureCurve& curve : features) {
+    const auto part = part_of_feature(curve.name);
+    if (!part) continue;
+    for (const posing::CurvePoint& point : curve.points) {
+      const auto most = std::max_element(point.weight.begin(), point.weight.end()) - point.weight.begin();
+      all.vertices.push_back(point.vertex[static_cast<std::size_t>(most)]);
+      all.parts.push_back(*part);
+    }
+  }
+  return all;
+}
+
+/// The part whose points move farthest at the median of those that move at all; nothing: none moves.
+FacePart part_of_moves(const FeatureVertices& features, std::span<const geometry::ModelPoint> rest,
+                       std::span<const geometry::ModelPoint> moved) {
+  std::array<double, 4> sums{};
+  for (std::size_t v = 0; v < rest.size(); ++v)
+    sums[static_cast<std::size_t>(features.parts[v])] += geometry::distance(rest[v], moved[v]);
+  const auto most = std::max_element(sums.begin(), sums.end());
+  return *most > k_least_move ? static_cast<FacePart>(most - sums.begin()) : FacePart::all;
+}
+
+}  // namespace
+
+std::vector<FacePart> parts_by_effect(const document::Document& document,
+                                      std::span<const portrait::FeatureCurve> features) {
+  const rig::Rig& rig = *document.model->rig;
+  const auto parameters = rig.parameters();
+  std::vector<FacePart> parts;
+  for (const rig::Parameter& parameter : parameters) parts.push_back(part_of(parameter.name));
+  const FeatureVertices moved_by = vertices_of(features);
+  if (moved_by.vertices.empty()) return parts;
+  const auto bound = rig.bind(moved_by.vertices);
+  const rig::Pose rest = rig::rest_pose(rig);
+  std::vector<geometry::ModelPoint> at_rest(moved_by.vertices.size());
+  std::vector<geometry::ModelPoint> moved(moved_by.vertices.size());
+  bound->evaluate(rest, at_rest);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!bound->moves(i)) continue;
+    rig::Pose pose = rest;
+    pose[i] = parameters[i].maximum != parameters[i].rest ? parameters[i].maximum : parameters[i].minimum;
+    bound->evaluate(pose, moved);
+    if (const FacePart part = part_of_moves(moved_by, at_rest, moved); part != FacePart::all) parts[i] = part;
+  }
+  return parts;
+}
+
+const std::vector<FacePart>& ControlParts::of(const document::Document& document,
+                                              std::span<const portrait::FeatureCurve> features) {
+  if (rig_ != document.model->rig || features_ != features.size() || parts_.size() != document.pose.size()) {
+    rig_ = document.model->rig;
+    features_ = features.size();
+    parts_ = parts_by_effect(document, features);
+  }
+  return parts_;
+}
+
+}  // namespace penpose::app

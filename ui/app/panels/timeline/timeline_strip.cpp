@@ -1,0 +1,91 @@
+#include "ui/app/panels/timeline/timeline_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/document/time/timeline.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr double k_least_range_s = 4;
+constexpr double k_least_span_s = 0.5;
+constexpr float k_names_units = 4.2F;
+constexpr float k_most_names_share = 0.3F;
+
+}  // namespace
+
+ShownMoments shown_moments(const TimelineOwners& with) {
+  const document::Timeline& timeline = *with.editing.document().timeline;
+  const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
+  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(with.playback.time_s())});
+  TimelineShown& shown = with.shown();
+  if (shown.span_s <= 0 || shown.span_s >= all) {
+    shown.span_s = shown.from_s = 0;
+    return {0, all};
+  }
+  // The cursor is in sight wherever it goes.
+  const double now = with.playback.time_s();
+  if (std::exchange(shown.seen_time_s, now) != now) {
+    if (now < shown.from_s) shown.from_s = now;
+    if (now > shown.from_s + shown.span_s) shown.from_s = now - shown.span_s;
+  }
+  shown.from_s = std::clamp(shown.from_s, 0.0, all - shown.span_s);
+  return {shown.from_s, shown.span_s};
+}
+
+void zoom_track(const TimelineOwners& with, double factor) {
+  const ShownMoments now = shown_moments(with);
+  const double span = std::max(k_least_span_s, now.span * factor);
+  const double share = std::clamp((with.playback.time_s() - now.from) / now.span, 0.0, 1.0);
+  with.shown().span_s = span;
+  with.shown().from_s = std::max(0.0, with.playback.time_s() - share * span);
+}
+
+void pan_track(const TimelineOwners& with, double share) {
+  const ShownMoments now = shown_moments(with);
+  with.shown().from_s = std::max(0.0, now.from + share * now.span);
+}
+
+float names_width(const PanelContext& context, const TimelineOwners& with) {
+  if (with.shown().part == TimelinePart::poses) return 0;
+  return std::min(k_names_units * context.unit, k_most_names_share * static_cast<float>(context.window.width));
+}
+
+Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char* name, const char* tip, float height) {
+  Strip strip;
+  strip.shown = shown_moments(with);
+  const float names = names_width(context, with);
+  if (names > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names);
+  strip.from = ImGui::GetCursorScreenPos();
+  strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x), height > 0 ? height : context.unit};
+  strip.inset = 0.3F * context.unit;
+  ImGui::InvisibleButton(name, strip.size);
+  note(context, name);
+  tooltip(context, tip);
+  if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
+    zoom_track(with, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
+  }
+  ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  return strip;
+}
+
+void show_cursor(const Strip& strip, const TimelineOwners& with) {
+  const float x = strip.x_of(with.playback.time_s());
+  ImGui::GetWindowDrawList()->AddLine({x, strip.from.y}, {x, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive),
+                                      2);
+}
+
+void draw_key(ImVec2 middle, float half, ImU32 color, bool strong) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 left{middle.x - half, middle.y};
+  const ImVec2 top{middle.x, middle.y - half};
+  const ImVec2 right{middle.x + half, middle.y};
+  const ImVec2 bottom{middle.x, middle.y + half};
+  list.AddQuadFilled(left, top, right, bottom, color);
+  list.AddQuad(left, top, right, bottom, IM_COL32(60, 40, 0, 255), strong ? 2.5F : 1);
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/notices.h"
+#include "ui/app/panels/panel_state.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/playback/keys.h"
+#include "ui/app/playback/performer.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/editing_session.h"
+#include "ui/app/tour/tour_guide.h"
+
+// What the parts of the timeline have in common: which moments are shown, and where on the panel. Private to it.
+
+namespace penpose::app {
+
+/// What is shown and changed here.
+struct TimelineOwners {
+  EditingSession& editing;
+  CanvasLook& look;
+  Playback& playback;
+  Keys& keys;
+  Performer& performer;
+  TourGuide& tour;
+  Notices& notices;
+  Dialogs& dialogs;
+  PanelState& panels;
+  [[nodiscard]] TimelineShown& shown() const { return panels.own.of<TimelineShown>(); }
+};
+
+/// The moments that a strip shows, seconds.
+struct ShownMoments {
+  double from = 0;
+  double span = 0;
+};
+[[nodiscard]] ShownMoments shown_moments(const TimelineOwners& with);
+/// Shows more or less of the timeline, about its cursor.
+void zoom_track(const TimelineOwners& with, double factor);
+/// Shows another part of the timeline, by a share of what is shown.
+void pan_track(const TimelineOwners& with, double share);
+
+/// Where moments lie on a strip of the panel.
+struct Strip {
+  ImVec2 from;
+  ImVec2 size;
+  float inset = 0;
+  ShownMoments shown;
+  [[nodiscard]] float width() const { return size.x - 2 * inset; }
+  [[nodiscard]] ImVec2 to() const { return {from.x + size.x, from.y + size.y}; }
+  [[nodiscard]] float x_of(double time_s) const {
+    return from.x + inset + static_cast<float>((time_s - shown.from) / shown.span) * width();
+  }
+  [[nodiscard]] double time_of(float x) const {
+    const double share = static_cast<double>((x - from.x - inset) / width());
+    return std::max(0.0, shown.from + std::clamp(share, -0.02, 1.02) * shown.span);
+  }
+};
+/// Px at the left of all strips where rows have their names; 0 where there are no rows.
+[[nodiscard]] float names_width(const PanelContext& context, const TimelineOwners& with);
+/// A strip as wide as the panel, which is hit under a name; `height`: px, 0: of one target.
+Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char* name, const char* tip,
+                  float height = 0);
+/// The playhead's line on a strip.
+void show_cursor(const Strip& strip, const TimelineOwners& with);
+
+/// A key as a diamond, `half` px wide to each side.
+void draw_key(ImVec2 middle, float half, ImU32 color, bool strong);
+
+/// The colour of the curve of a control.
+[[nodiscard]] ImU32 curve_color(std::size_t control);
+
+/// The rows of controls below the whole poses (dope_sheet.cpp), `height` px high.
+void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float height);
+/// Their curves (curve_editor.cpp), likewise.
+void show_curve_editor(PanelContext& context, const TimelineOwners& with, float height);
+
+}  // namespace penpose::app

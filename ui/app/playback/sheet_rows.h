@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/document/document.h"
+#include "ui/app/session/pose_library.h"
+
+namespace penpose::app {
+
+/// A row of the dope sheet: a control, or a group of them.
+struct SheetRow {
+  std::string name;
+  bool group = false;
+  bool folded = false;
+  std::vector<std::size_t> controls;  ///< one; of a group all that are in it
+};
+
+/// The rows of a document's keys: groups by the part of the face, and below each its controls unless it is folded.
+/// Listed are controls with a key, unless they rest in all of them; `all`: those too. `parts`: one a parameter.
+[[nodiscard]] std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<const FacePart> parts,
+                                               const std::set<std::string>& folded, bool all);
+
+}  // namespace penpose::app

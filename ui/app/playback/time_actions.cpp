@@ -1,0 +1,98 @@
+#include "ui/app/playback/time_actions.h"
+
+#include <array>
+
+#include "ui/app/owners.h"
+#include "ui/app/playback/frames.h"
+
+namespace penpose::app {
+namespace {
+
+void flip_on(bool& on) { on = !on; }
+
+void step(Playback& playback, int frames) { playback.go_to(step_frame(playback.time_s(), frames, playback.rate())); }
+
+void name_film(Dialogs& dialogs) {
+  dialogs.state<FileChoice>().name.clear();
+  dialogs.state<SearchEntry>() = {};
+  dialogs.show(Dialog::film);
+}
+
+/// Shows a part of the timeline, or the moments of keys alone where it is shown.
+void show_part(PanelState& panels, TimelinePart part) {
+  TimelinePart& shown = panels.own.of<TimelineShown>().part;
+  shown = shown == part ? TimelinePart::poses : part;
+  panels.shown = true;
+}
+
+constexpr KeyStroke plain_stroke(std::uint32_t key) { return plain_key(key); }
+constexpr KeyStroke ctrl_stroke(std::uint32_t key) { return {key, true, false}; }
+constexpr KeyStroke shift_stroke(std::uint32_t key) { return {key, false, true}; }
+
+// clang-format off
+const std::array k_time_actions{
+    ActionInfo{{"key_pose"}, "Key", plain_stroke('i'), plain_stroke('k'), "Keep the pose at this moment",
+     "M12 4L20 12L12 20L4 12F", does([](Keys& keys) { keys.set(); })},
+    ActionInfo{{"delete_key"}, "Delete key", shift_stroke('i'), {}, "Remove the selected keys, else those at this moment",
+     "M10 4L18 12L10 20L2 12Z M17 4L22 9M22 4L17 9",
+     does([](Keys& keys) { keys.remove(); }), does([](Keys& keys) { return keys.any_meant(); })},
+    ActionInfo{{"previous_key"}, "Key before", plain_stroke(','), {}, "Go to the key before",
+     "M5 5L5 19M18 5L9 12L18 19Z", does([](Playback& playback) { playback.step_key(-1); })},
+    ActionInfo{{"next_key"}, "Key after", plain_stroke('.'), {}, "Go to the key after",
+     "M19 5L19 19M6 5L15 12L6 19Z", does([](Playback& playback) { playback.step_key(1); })},
+    ActionInfo{{"play"}, "Play", plain_stroke(' '), {}, "Play from key to key",
+     "M7 4L20 12L7 20F", does([](Playback& playback) { playback.play_or_stop(); })},
+    ActionInfo{{"onion_skin"}, "Onion", shift_stroke('o'), {}, "Show the curves at the keys before and after",
+     "C9 12 6C15 12 6", does([](CanvasLook& look) { flip_on(look.onion_skin); })},
+    ActionInfo{{"previous_frame"}, "Frame back", shift_stroke(','), ctrl_stroke(k_key_left), "Go one frame back",
+     "M15 5L7 12L15 19Z", does([](Playback& playback) { step(playback, -1); })},
+    ActionInfo{{"next_frame"}, "Frame on", shift_stroke('.'), ctrl_stroke(k_key_right), "Go one frame on",
+     "M9 5L17 12L9 19Z", does([](Playback& playback) { step(playback, 1); })},
+    ActionInfo{{"copy_key"}, "Copy", ctrl_stroke('c'), {}, "Copy the pose of this moment, to be put at another one",
+     "M8 8L20 8L20 20L8 20Z M16 8L16 4L4 4L4 16L8 16", does([](Keys& keys) { keys.copy(); })},
+    ActionInfo{{"paste_key"}, "Paste", ctrl_stroke('v'), {}, "Key the pose that was copied at this moment",
+     "M7 5L4 5L4 21L16 21L16 18M8 3L20 3L20 17L8 17Z M11 10L17 10M14 7L14 13",
+     does([](Keys& keys) { keys.paste(); }), does([](Keys& keys) { return keys.copied(); })},
+    ActionInfo{{"loop_from"}, "Loop from", plain_stroke('['), {}, "What is played begins here",
+     "M8 4L4 4L4 20L8 20M20 12L10 12M14 8L10 12L14 16",
+     does([](Playback& playback) { playback.loop().begin_at(playback.time_s()); })},
+    ActionInfo{{"loop_to"}, "Loop to", plain_stroke(']'), {}, "What is played ends here",
+     "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16",
+     does([](Playback& playback) { playback.loop().end_at(playback.time_s()); })},
+    ActionInfo{{"loop_off"}, "Loop all", plain_stroke('\\'), {}, "All is played, from the first frame to the last key",
+     "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", does([](Playback& playback) { playback.loop() = {}; })},
+    ActionInfo{{"auto_key"}, "Auto-key", shift_stroke('k'), {}, "Every change of the pose is keyed at this moment",
+     "M9 5L16 12L9 19L2 12F D20 5 3", does([](Playback& playback) { flip_on(playback.while_drawing().auto_key); })},
+    ActionInfo{{"film"}, "Film", {}, {}, "Write a film (.mp4) or its pictures (.png) of what is played",
+     "M3 5L21 5L21 19L3 19Z M7 5L7 19M17 5L17 19M3 12L7 12M17 12L21 12",
+     does<name_film>},
+    ActionInfo{{"perform"}, "Perform", shift_stroke(' '), {},
+     "Time runs while the pen holds a target, and what the face does is keyed",
+     "C12 12 9D12 12 5", does([](Playback& playback) { flip_on(playback.while_drawing().performs); })},
+    ActionInfo{{"breakdown"}, "Breakdown", shift_stroke('b'), {},
+     "Key a pose half way from the key before to the key after, of the selected controls or of all",
+     "M4 12L10 6L10 18ZM20 12L14 6L14 18Z", does([](Keys& keys) { keys.tween(0.5); })},
+    ActionInfo{{"favour_before"}, "Favour the key before", shift_stroke('['), {},
+     "Key a pose a third of the way from the key before to the key after",
+     "M4 12L12 5L12 19ZM20 12L16 9L16 15Z", does([](Keys& keys) { keys.tween(1.0 / 3); })},
+    ActionInfo{{"favour_after"}, "Favour the key after", shift_stroke(']'), {},
+     "Key a pose two thirds of the way from the key before to the key after",
+     "M20 12L12 5L12 19ZM4 12L8 9L8 15Z", does([](Keys& keys) { keys.tween(2.0 / 3); })},
+    ActionInfo{{"overshoot"}, "Overshoot", {}, {},
+     "Key a pose a fifth of the way beyond the key after, within the ranges",
+     "M3 18L9 18L15 7L20 10M16 11L20 10L19 6", does([](Keys& keys) { keys.tween(1.2); })},
+    ActionInfo{{"dope_sheet"}, "Sheet", plain_stroke('t'), {},
+     "A row for each control: its keys selected, moved, copied, scaled in time",
+     "M3 6L21 6M3 12L21 12M3 18L21 18M8 4L10 6L8 8L6 6ZM16 10L18 12L16 14L14 12ZM8 16L10 18L8 20L6 18Z",
+     does([](PanelState& panels) { show_part(panels, TimelinePart::sheet); })},
+    ActionInfo{{"curve_editor"}, "Curves", shift_stroke('t'), {}, "The curves of controls, with handles",
+     "M3 20L6 18L9 10L12 6L15 8L18 16L21 18M9 10L15 2",
+     does([](PanelState& panels) { show_part(panels, TimelinePart::curves); })},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const ActionInfo> time_actions() { return k_time_actions; }
+
+}  // namespace penpose::app
