@@ -13,6 +13,8 @@ namespace penpose::app {
 namespace {
 
 constexpr double k_same_moment_s = 1e-6;
+/// Nobody keys poses one by one so close together, s: eight frames of 24.
+constexpr double k_take_gap_s = 0.32;
 
 }  // namespace
 
@@ -39,6 +41,20 @@ FacePart part_of(std::string_view control) {
     if (name.find(word) != std::string::npos) return part;
   }
   return FacePart::all;
+}
+
+std::vector<std::size_t> keys_shown(const document::Timeline& timeline) {
+  const auto& keys = timeline.keys;
+  const auto goes_on = [&](std::size_t from, std::size_t to) {
+    return to < keys.size() && keys[from].name.empty() && keys[to].name.empty() &&
+           keys[to].time_s - keys[from].time_s < k_take_gap_s;
+  };
+  std::vector<std::size_t> shown;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const bool inside = k > 0 && goes_on(k - 1, k) && goes_on(k, k + 1);
+    if (!inside) shown.push_back(k);
+  }
+  return shown;
 }
 
 document::SetParameters values_of_choice(const document::Document& document, const PoseChoice& choice,
