@@ -31,8 +31,12 @@ class LivePoser {
   /// its beginning (or its end, if drawing started there). Reports may be left out. With fewer than two distinct
   /// samples nothing moves.
   LiveStep follow(std::span<const PxPoint> line);
-  /// A complete target that is being changed.
-  LiveStep follow_whole(std::span<const PxPoint> line);
+  /// A complete target that is being changed. `stays`: points of the reference that the change does not touch
+  /// (DrawnCurve::stays).
+  LiveStep follow_whole(std::span<const PxPoint> line, const std::vector<bool>& stays = {});
+  /// The curve is pulled as by a string, from where it is: its controls follow in small steps, from the first px on.
+  /// `meant`: the line of a pull the same way that is long enough to tell which controls it means.
+  LiveStep pull(std::span<const PxPoint> line, std::span<const PxPoint> meant, const std::vector<bool>& stays);
 
   [[nodiscard]] const rig::Pose& pose() const;
   /// Parameters that move the curves.

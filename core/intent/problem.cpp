@@ -91,6 +91,9 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
     const bool aside = curve.aside.empty() || curve.aside.size() == curve.reference.size();
     const bool finite = std::all_of(curve.aside.begin(), curve.aside.end(),
                                     [](const ModelVector& v) { return std::isfinite(v.x + v.y + v.z); });
+    if (!curve.stays.empty() && curve.stays.size() != curve.reference.size())
+      return base::Error{"what stays of the reference does not fit it", named("curve", i),
+                         "say of each point, or none"};
     if (!aside || !finite)
       return base::Error{"what is beside the reference does not fit it", named("curve", i), "give one vector a point"};
     if (curve.reference.size() < 2)

@@ -39,6 +39,9 @@ struct DrawnCurve {
   /// From each reference point to where the pen drew it, model units: a line that snapped to a rim next to it is
   /// meant to move as far as it was drawn. Empty: no offset.
   std::vector<ModelVector> aside = {};
+  /// Of a line that corrects a part of what was drawn before it: the points that it does not touch, one a reference
+  /// point; empty: it touches all. Those stay in the picture where they are at the start.
+  std::vector<bool> stays = {};
   /// Drawn and solved before the others: unless everything is read again, it stays as that solve left it.
   bool before = false;
 };

@@ -75,6 +75,15 @@ base::Result<DrawnTarget> make_target(std::span<const geometry::ModelPoint> refe
   return target;
 }
 
+std::vector<bool> untouched(const DrawnTarget& before, const DrawnTarget& after) {
+  std::vector<bool> stays;
+  for (std::size_t i = 0; i < before.points.size(); ++i)
+    stays.push_back(i < after.points.size() && before.points[i] == after.points[i]);
+  const auto count = static_cast<std::size_t>(std::count(stays.begin(), stays.end(), true));
+  if (count == 0 || count == stays.size()) stays.clear();
+  return stays;
+}
+
 bool come_near(std::span<const PxPoint> a, std::span<const PxPoint> b, double distance_px) {
   for (std::size_t i = 0; i < segment_count(a); ++i) {
     const auto [a0, a1] = segment(a, i);

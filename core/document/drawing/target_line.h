@@ -23,6 +23,10 @@ namespace penpose::document {
                                                    std::span<const geometry::ModelPoint> reference, const View& view,
                                                    std::span<const curve::PxPoint> stroke);
 
+/// The points of a target that a change of it left exactly where they were, one flag a point; empty: none, or all of
+/// them.
+[[nodiscard]] std::vector<bool> untouched(const DrawnTarget& before, const DrawnTarget& after);
+
 /// True when two lines come within a distance of each other. A line of one point is that point.
 [[nodiscard]] bool come_near(std::span<const curve::PxPoint> a, std::span<const curve::PxPoint> b, double distance_px);
 

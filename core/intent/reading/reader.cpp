@@ -3,16 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/curve/distance.h"
 #include "core/curve/pairing.h"
+#include "core/intent/reading/still_points.h"
 
 namespace penpose::intent {
 namespace {
 
 /// What the square of a variable costs, as shares of ranges: no more than what keeps undetermined ones where they are.
 constexpr double k_stiffness = 0.5;
-posing::PoseProblem points_of(const IntentProblem& problem) {
+
+std::vector<KnownCurve> still_points_of(const rig::Rig& rig, const IntentProblem& problem) {
+  std::vector<KnownCurve> still;
+  for (const DrawnCurve& curve : problem.drawn) {
+    if (auto one = still_points(rig, problem.start, curve)) still.push_back(std::move(*one));
+  }
+  return still;
+}
+
+posing::PoseProblem points_of(const IntentProblem& problem, const std::vector<KnownCurve>& still) {
   posing::PoseProblem plain;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) {
     plain.pairs.push_back({reference, std::vector<ModelPoint>(reference.size(), ModelPoint{0}), {}});
@@ -20,6 +31,7 @@ posing::PoseProblem points_of(const IntentProblem& problem) {
   for (const DrawnCurve& curve : problem.drawn) add(curve.reference);
   for (const KnownCurve& curve : problem.known) add(curve.reference);
   for (const KnownCurve& curve : problem.kept) add(curve.reference);
+  for (const KnownCurve& curve : still) add(curve.reference);
   plain.free = problem.free;
   plain.start = problem.start;
   return plain;
@@ -43,7 +55,12 @@ Reader Reader::of(const rig::Rig& rig, const WholeModel& whole, const IntentProb
 }
 
 Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, bool any_span)
-    : rig_(rig), whole_(whole), problem_(problem), any_span_(any_span), system_(rig, points_of(problem)) {
+    : rig_(rig),
+      whole_(whole),
+      problem_(problem),
+      still_(still_points_of(rig, problem)),
+      any_span_(any_span),
+      system_(rig, points_of(problem, still_)) {
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
     Block block;
@@ -64,8 +81,10 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.line.emplace(curve.target);
     block.alignments =
         intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()));
+    // A line that corrects a part goes on in what it leaves as it is: all of the reference is meant.
+    if (!curve.stays.empty()) block.alignments.resize(1);
   }
-  for (const auto* curves : {&problem.known, &problem.kept}) {
+  for (const auto* curves : {&problem.known, &problem.kept, &std::as_const(still_)}) {
     for (const KnownCurve& curve : *curves) {
       Block& block = add(curve.reference);
       block.known = &curve;

@@ -143,6 +143,8 @@ class Reader final : public Relations {
   [[nodiscard]] bool overshoots_tell() const { return chain_.empty(); }
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
+  /// What the line does not touch has no target on it.
+  static void leave_still(const Block& block, Matching& m);
   /// Matches a drawn curve seen there.
   void match(Block& block, std::span<const PxPoint> px, bool slide) const;
   [[nodiscard]] double energy_as_placed() const;
@@ -254,7 +256,8 @@ class Reader final : public Relations {
   const rig::Rig& rig_;
   const WholeModel& whole_;
   const IntentProblem& problem_;
-  bool any_span_ = false;  ///< a line need not span what its joints carry
+  std::vector<KnownCurve> still_;  ///< what corrections do not touch
+  bool any_span_ = false;          ///< a line need not span what its joints carry
   Costs costs_;
   FaceCosts face_;
   Doubt doubt_;

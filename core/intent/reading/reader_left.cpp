@@ -25,6 +25,7 @@ Reader::Left Reader::left(const rig::Pose& pose) {
     if (block.drawn) {
       px = seen(block, positions_);
       m = block.line->match(px, block.alignments[block.aligned], true, block.doubt);
+      leave_still(block, m);
     }
     for (std::size_t i = 0; i < block.count; ++i) {
       const ModelPoint& at = positions_[block.first + i];

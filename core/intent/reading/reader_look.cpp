@@ -65,11 +65,13 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
 
 void Reader::tell_ends(Block& block) const {
   const std::vector<PxPoint> px = seen(block, start_);
+  const auto& stays = block.drawn->stays;
   for (Alignment& one : block.alignments) {
     const double doubt = block.doubt * one.rough;
     const Matching m = block.line->match(px, one, true, doubt);
     const auto beyond = overshoots(*block.line, px, one, m, doubt);
     for (std::size_t end = 0; end < 2; ++end) {
+      if (!stays.empty() && stays[beyond[end].end]) continue;
       if (squares_of(beyond[end], px[beyond[end].end], doubt) >= k_overshoot_tells) one.ends_slide[end] = k_told_end;
     }
   }
@@ -279,6 +281,14 @@ void Reader::match(Block& block, std::span<const PxPoint> px, bool slide) const 
   const auto& weights = block.drawn->weights;
   for (std::size_t i = 0; i < weights.size(); ++i) m.weight[i] *= weights[i];
   if (overshoots_tell()) block.overshoots = overshoots(*block.line, px, alignment, m, doubt_of(block));
+  leave_still(block, m);
+  if (block.drawn->stays.empty()) return;
+  for (Overshoot& one : block.overshoots) one.share = block.drawn->stays[one.end] ? 0.0 : one.share;
+}
+
+void Reader::leave_still(const Block& block, Matching& m) {
+  const auto& stays = block.drawn->stays;
+  for (std::size_t i = 0; i < stays.size(); ++i) m.weight[i] = stays[i] ? 0.0 : m.weight[i];
 }
 
 double Reader::energy_of_image(std::span<const double> image, std::size_t rows) const {

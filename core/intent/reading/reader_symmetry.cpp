@@ -60,7 +60,8 @@ void Reader::measure_symmetry() {
     const std::vector<PxPoint> px = seen(block, start_);
     match(block, px, false);
     for (std::size_t i = 0; i < block.count; ++i) {
-      const PxPoint way = block.matching.target[i] - px[i];
+      const bool stays = !block.drawn->stays.empty() && block.drawn->stays[i];
+      const PxPoint way = stays ? PxPoint{} : block.matching.target[i] - px[i];
       const double unit = camera.units_per_px(std::max(0.0, camera.depth(start_[block.first + i])));
       asked.push_back((camera.right() * way.x - camera.up() * way.y) * unit);
       if (images_[asked.size() - 1] == k_no_partner) ++alone;

@@ -163,6 +163,35 @@ TEST(Trunk, BendsFromItsRootWhicheverWayTheReferenceWasInferred) {
   EXPECT_LT(left->reference().front().x, left->reference().back().x);
 }
 
+TEST(Trunk, StaysOnItsBodyWhereTheTargetRunsFromItsRoot) {
+  const Trunk trunk = tests::make_trunk();
+  for (const bool from_behind : {false, true}) {
+    for (const bool from_the_goal : {false, true}) {
+      Sketch sketch = trunk.curl();
+      sketch.reference.clear();
+      sketch.target.clear();
+      // Steeply up: its start is nearer to the root, and to the tip as well.
+      for (int i = 0; i <= 50; ++i) {
+        const double u = i / 50.0;
+        sketch.target.push_back(trunk.seen({0.65 + 0.25 * u, 2.2 * u, 0}));
+      }
+      if (from_the_goal) std::reverse(sketch.target.begin(), sketch.target.end());
+      if (from_behind) {
+        sketch.camera.eye.z = -sketch.camera.eye.z;
+        for (auto* curve : {&sketch.general, &sketch.specific, &sketch.target}) {
+          for (PxPoint& p : *curve) p.x = sketch.viewport.width - p.x;
+        }
+      }
+      const auto up = build_deformer(sketch, *trunk.canvas).value();
+      const auto now = posed(*trunk.canvas, *up, 1.0);
+      ModelPoint tip{0};
+      for (std::uint32_t c = 0; c < Trunk::k_around; ++c)
+        tip += now[(Trunk::k_rings - 1) * Trunk::k_around + c] / double{Trunk::k_around};
+      EXPECT_LT(geometry::distance(tip, {0.9, 2.2, 0}), 0.3) << from_behind << from_the_goal;
+    }
+  }
+}
+
 TEST(Deformer, MovesNothingAtZeroAndReachesTheTargetAtOne) {
   const Eye eye = tests::make_eye();
   const Trunk trunk = tests::make_trunk();

@@ -102,9 +102,9 @@ void show_pictures(PanelContext& context, const Owners& with, float height) {
   const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
   const auto held = with.editing.document().timeline;
   int column = 0;
-  for (const auto& key : held->keys) {
+  for (const std::size_t k : keys_shown(*held)) {
     if (column++ % across != 0) ImGui::SameLine();
-    show_picture(context, with, key, width);
+    show_picture(context, with, held->keys[k], width);
   }
   show_expressions(context, with);
   if (held->keys.empty()) {

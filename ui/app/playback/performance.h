@@ -19,8 +19,8 @@ class Performance {
   Performance(double time_s, int rate, rig::Pose still);
 
   /// What the pen makes of the pose at a moment. Frames since the moment before are filled evenly; a moment before that
-  /// one begins another round over the same frames.
-  void take(double time_s, const rig::Pose& pen);
+  /// one begins another round over the same frames. `drawn_px`: the length of the line that the pen has drawn so far.
+  void take(double time_s, const rig::Pose& pen, double drawn_px = 0);
   /// A pose of the timeline with what the pen moved so far.
   [[nodiscard]] rig::Pose over(rig::Pose background, const rig::Pose& pen) const;
 
@@ -32,15 +32,26 @@ class Performance {
   /// too, as the pen has left them. Precondition: the parameters that the poses are of.
   [[nodiscard]] std::optional<document::KeyPoses> keys(std::span<const rig::Parameter> parameters,
                                                        const rig::Pose& now) const;
+  /// What a line did that was drawn: what it meant shows when all of it is there, so the face goes to `now` as the pen
+  /// went along the line, and holds there. Nothing where the line moved nothing. Precondition: as keys.
+  [[nodiscard]] std::optional<document::KeyPoses> keys_of_line(std::span<const rig::Parameter> parameters,
+                                                               const rig::Pose& now) const;
 
  private:
+  struct Frame {
+    rig::Pose pose;
+    double drawn_px = 0;
+  };
   void note_moved(const rig::Pose& pose);
+  template <class Value>
+  [[nodiscard]] std::optional<document::KeyPoses> keys_with(std::span<const rig::Parameter> parameters,
+                                                            const std::vector<std::size_t>& numbers, Value value) const;
   int rate_;
   rig::Pose still_;
-  std::vector<bool> moved_;          ///< one a parameter
-  std::map<int, rig::Pose> frames_;  ///< by number
-  double at_;                        ///< the moment of the last take, in frames
-  rig::Pose last_;                   ///< and its pose
+  std::vector<bool> moved_;      ///< one a parameter
+  std::map<int, Frame> frames_;  ///< by number
+  double at_;                    ///< the moment of the last take, in frames
+  Frame last_;                   ///< and what was there
 };
 
 }  // namespace penpose::app

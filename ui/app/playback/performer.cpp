@@ -4,8 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "core/curve/polyline.h"
+#include "core/curve/stroke.h"
 #include "core/document/time/timeline.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/playback/thin_take.h"
 
 namespace penpose::app {
 namespace {
@@ -34,10 +37,18 @@ void Performer::begin(std::int64_t now_us) {
   from_us_ = now_us;
 }
 
+double Performer::drawn_px() const {
+  const replay::DrawnStroke* stroke = editing_.session().pens().current();
+  if (stroke == nullptr || stroke->samples.size() < 2) return 0;
+  return curve::arc_length<PxPoint>(curve::positions_of(stroke->samples));
+}
+
 void Performer::follow(std::int64_t now_us) {
   const bool holds = editing_.shown().live().active();
   if (!performance_) {
-    if (playback_.while_drawing().performs && holds && !player_.plays_session()) begin(now_us);
+    const bool performs = playback_.while_drawing().performs && !player_.plays_session();
+    editing_.shown().pull_as_string(performs);
+    if (performs && holds) begin(now_us);
     return;
   }
   if (!holds) {
@@ -54,7 +65,7 @@ void Performer::follow(std::int64_t now_us) {
   playback_.place_cursor(time_s);
   const document::Document& document = editing_.document();
   const rig::Pose& pen = editing_.shown().pen_pose();
-  performance_->take(time_s, pen);
+  performance_->take(time_s, pen, drawn_px());
   editing_.shown().stage(performance_->over(document::pose_at(document, time_s), pen));
 }
 
@@ -62,15 +73,20 @@ bool Performer::end() {
   const Performance performance = *std::exchange(performance_, std::nullopt);
   editing_.shown().stage(std::nullopt);
   const document::Document& document = editing_.document();
-  const auto keys = performance.keys(document.model->rig->parameters(), document.pose);
-  const bool any = keys && performance.frame_count() > 1;
-  playback_.place_cursor(any ? performance.last_s() : document.time_s);
-  if (!any) return false;
   // What a drawn target did to the pose belongs to it.
   const bool drawn = editing_.editor().history().undo_count() > steps_;
-  if (!(drawn ? editing_.perform_with(*keys) : editing_.perform(*keys))) return true;
+  const auto parameters = document.model->rig->parameters();
+  const auto all =
+      drawn ? performance.keys_of_line(parameters, document.pose) : performance.keys(parameters, document.pose);
+  const bool any = all && performance.frame_count() > 1;
+  playback_.place_cursor(any ? performance.last_s() : document.time_s);
+  if (!any) return false;
+  const document::KeyPoses keys =
+      thinned(document, *all, *editing_.shown().whole_model().fields, editing_.editor().view());
+  if (!(drawn ? editing_.perform_with(keys) : editing_.perform(keys))) return true;
   editing_.perform_with(document::GoToTime{playback_.time_s()});
-  const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed: " + listed(keys->names);
+  const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed with " +
+                            std::to_string(keys.times_s.size()) + " keys: " + listed(keys.names);
   editing_.last_stroke().say(keyed);
   notices_.tell(keyed + "; Undo takes the take back");
   return true;

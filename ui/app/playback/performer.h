@@ -26,6 +26,8 @@ class Performer {
 
  private:
   void begin(std::int64_t now_us);
+  /// The length of the line under the pen, px.
+  [[nodiscard]] double drawn_px() const;
 
   EditingSession& editing_;
   Notices& notices_;

@@ -1,6 +1,7 @@
 #include "ui/app/session/live_follow.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/document/commands/apply.h"
 #include "core/document/drawing/pulled_target.h"
@@ -50,13 +51,50 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
 }
 
 void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
-                            const std::optional<PullHold>& pull) {
+                            const std::optional<PullHold>& pull, bool string) {
   end();
   const document::PoseCurve* found = document::find_curve(document, curve);
   if (found == nullptr || !found->target) return;
   start(document, *found, view);
   pull_ = pull;
+  string_ = string;
   if (pull_) pulled_ = found->target;
+  if (!string_) return;
+  if (!pull_) pull_ = PullHold{{}, 0};
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  pulled_ = found->target;
+  if (!camera || pulled_->points.size() != reference_.size()) return;
+  // The place of the target that is held is the place as far along the curve.
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<curve::PxPoint> seen;
+  for (std::size_t i = 0; i < reference_.size(); ++i) {
+    const auto wanted = camera->project(pulled_->points[i]);
+    const auto is = camera->project(reference_[i]);
+    if (!wanted || !is) return;
+    seen.push_back(*is);
+    if (!(geometry::distance(*wanted, pull_->at) < least)) continue;
+    least = geometry::distance(*wanted, pull_->at);
+    nearest = i;
+  }
+  pull_->at = seen[nearest];
+  pulled_->points = reference_;
+  pulled_->line = std::move(seen);
+  pulled_->view = view;
+}
+
+bool LiveFollow::pull_string(curve::PxPoint by) {
+  // So long a pull tells which controls it means; px of a view 1000 px high.
+  constexpr double k_tells_px = 40;
+  const double length = geometry::distance(by, {});
+  const double tells = std::max(length, k_tells_px * view_.viewport.height / 1000.0);
+  const auto pulled = [&](curve::PxPoint way) {
+    return document::pulled_target(*pulled_, {curve_, view_, pull_->at, way, pull_->reach});
+  };
+  const auto now = pulled(by);
+  const auto meant = pulled(length > 0 ? by * (tells / length) : curve::PxPoint{0, tells});
+  if (!now || !meant) return false;
+  return poser_->pull(now->line, meant->line, document::untouched(*pulled_, *meant)).solved;
 }
 
 const intent::WholeModel& LiveFollow::whole_of(const document::Document& document) {
@@ -90,24 +128,26 @@ bool LiveFollow::follow(const curve::Stroke& stroke) {
   if (!before_) return poser_->follow(line).solved;
   const auto merged = document::drawn_over(*before_, reference_, view_, line);
   if (merged) target_ = *merged;
-  return follow_target(merged);
+  return follow_target(merged, *before_);
 }
 
 bool LiveFollow::drag(curve::PxPoint by) {
   if (!poser_ || !whole_) return false;
+  if (string_ && pulled_) return pull_string(by);
   if (pull_ && pulled_) {
-    return follow_target(document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach}));
+    return follow_target(document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach}), *pulled_);
   }
   auto line = whole_->line;
   for (curve::PxPoint& p : line) p = p + by;
-  return follow_target(document::make_target(reference_, view_, line, whole_->pressure));
+  return follow_target(document::make_target(reference_, view_, line, whole_->pressure), *whole_);
 }
 
-bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target) {
+bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target, const document::DrawnTarget& before) {
   if (!target) return false;
-  if (target->view == view_) return poser_->follow_whole(target->line).solved;
+  const auto stays = document::untouched(before, *target);
+  if (target->view == view_) return poser_->follow_whole(target->line, stays).solved;
   const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
-  return camera && poser_->follow_whole(seen_from(*target, view_, *camera).line).solved;
+  return camera && poser_->follow_whole(seen_from(*target, view_, *camera).line, stays).solved;
 }
 
 void LiveFollow::end() {
@@ -115,6 +155,7 @@ void LiveFollow::end() {
   whole_.reset();
   pull_.reset();
   pulled_.reset();
+  string_ = false;
   before_.reset();
   target_.reset();
   model_.reset();

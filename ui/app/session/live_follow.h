@@ -27,9 +27,10 @@ class LiveFollow {
              const curve::Stroke& stroke);
   /// The stroke so far. True when the pose moved.
   bool follow(const curve::Stroke& stroke);
-  /// A target that is there is taken in hand, as this view shows it: all of it, or at a place.
+  /// A target that is there is taken in hand, as this view shows it: all of it, or at a place. `string`: the curve is
+  /// pulled from where the face has it, and its controls follow from the first px on.
   void begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
-                  const std::optional<PullHold>& pull = std::nullopt);
+                  const std::optional<PullHold>& pull = std::nullopt, bool string = false);
   /// How far it was moved since, px of that view.
   bool drag(curve::PxPoint by);
   void end();
@@ -46,13 +47,15 @@ class LiveFollow {
 
  private:
   void start(const document::Document& document, const document::PoseCurve& curve, const document::View& view);
-  bool follow_target(const base::Result<document::DrawnTarget>& target);
+  bool follow_target(const base::Result<document::DrawnTarget>& target, const document::DrawnTarget& before);
+  bool pull_string(curve::PxPoint by);
 
   std::shared_ptr<const document::Model> model_;  ///< keeps the rig alive, whatever is undone meanwhile
   document::CurveId curve_;
   std::optional<document::DrawnTarget> whole_;   ///< drag: the target, as a line of this view
   std::optional<PullHold> pull_;                 ///< drag: at a place, of the target
   std::optional<document::DrawnTarget> pulled_;  ///< as it was
+  bool string_ = false;                          ///< drag: what is pulled is the curve
   std::optional<document::DrawnTarget> before_;  ///< oversketch: the target as it was
   std::optional<document::DrawnTarget> target_;  ///< and as it would be
   document::View view_;

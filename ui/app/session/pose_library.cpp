@@ -13,6 +13,7 @@ namespace penpose::app {
 namespace {
 
 constexpr double k_same_moment_s = 1e-6;
+/// Nobody keys poses one by one so close together, s: eight frames of 24.
 
 }  // namespace
 
@@ -39,6 +40,20 @@ FacePart part_of(std::string_view control) {
     if (name.find(word) != std::string::npos) return part;
   }
   return FacePart::all;
+}
+
+std::vector<std::size_t> keys_shown(const document::Timeline& timeline) {
+  const auto& keys = timeline.keys;
+  // A take keys what it moves alone.
+  const auto of_take = [&](std::size_t k) {
+    return k < keys.size() && keys[k].name.empty() && !keys[k].controls.whole();
+  };
+  std::vector<std::size_t> shown;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const bool inside = k > 0 && of_take(k - 1) && of_take(k) && of_take(k + 1);
+    if (!inside) shown.push_back(k);
+  }
+  return shown;
 }
 
 document::SetParameters values_of_choice(const document::Document& document, const PoseChoice& choice,

@@ -32,4 +32,8 @@ struct PoseChoice {
 [[nodiscard]] document::SetParameters values_of_choice(const document::Document& document, const PoseChoice& choice,
                                                        const std::vector<std::size_t>& pairs);
 
+/// The keys that stand in the library, by their numbers: all with a name, and those that were posed one by one. A take
+/// is one thing: of keys of single controls that follow each other, the first and the last stand for all.
+[[nodiscard]] std::vector<std::size_t> keys_shown(const document::Timeline& timeline);
+
 }  // namespace penpose::app

@@ -54,7 +54,7 @@ void ShownPose::follow_stroke() {
   const drawing::Tool& tool = editing_.editor().tool();
   if (held_) {
     if (!follow_.active() || !(follow_.curve() == *held_)) {
-      follow_.begin_drag(document, *held_, editing_.editor().view(), held_pull_);
+      follow_.begin_drag(document, *held_, editing_.editor().view(), held_pull_, string_);
       followed_by_ = {};
     }
     // What is performed settles where the pen rests.

@@ -38,6 +38,8 @@ class ShownPose {
   void hold_still(bool on) { still_ = on; }
   /// The pose that follows the pen. Precondition: live() or face() is active.
   [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : *followed(); }
+  /// From now on a target in hand is pulled as by a string (LiveFollow::begin_drag).
+  void pull_as_string(bool on) { string_ = on; }
   /// Shows a pose in place of the one that follows the pen, as long as one does.
   void stage(std::optional<rig::Pose> pose) { staged_ = std::move(pose); }
   [[nodiscard]] const LiveFollow& live() const { return follow_; }
@@ -63,6 +65,7 @@ class ShownPose {
 
   EditingSession& editing_;
   bool still_ = false;
+  bool string_ = false;
   std::optional<rig::Pose> preview_;
   std::optional<rig::Pose> staged_;
   std::optional<rig::Pose> mirrored_;  ///< of the pose that follows the pen

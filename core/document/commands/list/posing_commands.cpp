@@ -14,6 +14,7 @@
 #include "core/document/drawing/pulled_target.h"
 #include "core/document/drawing/target_line.h"
 #include "core/geometry/lasso.h"
+#include "core/intent/earlier_lines.h"
 
 namespace penpose::document {
 namespace {
@@ -55,12 +56,17 @@ Changed solved(Document document, Preset preset, Parts& work) {
   return document;
 }
 
-/// Brings the references of a moment to their targets, one of which was just drawn.
-Changed solved_for(Document document, CurveId drawn, Parts& work) {
+/// Brings the references of a moment to their targets, one of which was just drawn. `stays`: points of its reference
+/// that a correction does not touch (DrawnCurve::stays).
+Changed solved_for(Document document, CurveId drawn, Parts& work, const std::vector<bool>& stays = {}) {
   Moment moment = moment_of(document, drawn);
   intent::IntentProblem problem = moment_problem(document, moment);
   if (problem.free.empty()) return document;
   const auto asks = [&] { return !problem.drawn.empty() && !problem.drawn.back().before; };
+  if (!stays.empty() && asks()) {
+    problem.drawn.back().stays = stays;
+    problem = intent::with_earlier_constrained(*document.model->rig, problem);
+  }
   const auto solve = [&] {
     return intent::solve(*document.model->rig, work.whole_of(document), problem, with_others(), work.meant);
   };
@@ -242,7 +248,8 @@ Changed run(const Document& document, const OversketchTarget& command, Parts& wo
   if (!over) return over.error();
   PoseCurve other = **curve;
   other.target = std::move(over).value();
-  return solved_for(with_replaced(document, std::move(other)), command.curve, work);
+  const auto stays = untouched(target, *other.target);
+  return solved_for(with_replaced(document, std::move(other)), command.curve, work, stays);
 }
 
 Changed run(const Document& document, const DragTarget& command, Parts& work) {
@@ -264,7 +271,8 @@ Changed run(const Document& document, const PullTarget& command, Parts& work) {
   if (!pulled) return pulled.error();
   PoseCurve other = **curve;
   other.target = std::move(pulled).value();
-  return solved_for(with_replaced(document, std::move(other)), command.curve, work);
+  const auto stays = untouched(*(*curve)->target, *other.target);
+  return solved_for(with_replaced(document, std::move(other)), command.curve, work, stays);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {

@@ -57,6 +57,23 @@ TEST(PoseLibrary, AKeyedPoseIsTakenWholeInPartMirroredAndByHalf) {
   EXPECT_TRUE(values_of_choice(desk.document(), {0.3}, pairs).values.empty()) << "there is no such key";
 }
 
+TEST(PoseLibrary, ATakeStandsAsItsFirstAndLastPose) {
+  document::Timeline timeline;
+  const auto key = [&](double frame, const std::string& name = {}) {
+    timeline.keys.push_back({frame / 24, rig::Pose{frame, 0}, name});
+  };
+  const auto performed = [&](double frame) {
+    key(frame);
+    timeline.keys.back().controls = std::vector<document::ControlKey>{{}, {document::KeyKind::none, 0, 0}};
+  };
+  for (const double frame : {0.0, 12.0}) key(frame);
+  for (const double frame : {40.0, 43.0, 45.0, 51.0, 57.0}) performed(frame);
+  key(59, "smile");
+  for (const double frame : {61.0, 63.0, 64.0}) performed(frame);
+  EXPECT_EQ(keys_shown(timeline), (std::vector<std::size_t>{0, 1, 2, 6, 7, 8, 10}));
+  EXPECT_TRUE(keys_shown({}).empty());
+}
+
 TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
   Desk desk("library-panel");
   key_wink(desk);
