@@ -79,24 +79,20 @@ class Thinning {
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < near.size(); ++i) times[i] = c_.times_s[near[i]];
     for (std::size_t m = from + 1; m < to; ++m) off[m] = 0.0;
-    const double length = times[at + 1] - times[at];
     for (std::size_t curve = 0; curve < count_; ++curve) {
       for (std::size_t i = 0; i < near.size(); ++i) values[i] = value(near[i], curve);
-      const auto tangents =
-          monotone_tangents(std::span(times).first(near.size()), std::span(values).first(near.size()));
+      const auto slope = [&](std::size_t i) {
+        if (i == 0 || i + 1 >= near.size()) return 0.0;
+        return monotone_slope((values[i] - values[i - 1]) / (times[i] - times[i - 1]),
+                              (values[i + 1] - values[i]) / (times[i + 1] - times[i]));
+      };
+      const KeySegment between_keys{times[at], times[at + 1], values[at],     values[at + 1],
+                                    slope(at), slope(at + 1), KeyKind::smooth};
       for (std::size_t m = from + 1; m < to; ++m) {
-        const double u = (c_.times_s[m] - times[at]) / length;
-        const double between =
-            cubic_between(values[at], tangents[at] * length, values[at + 1], tangents[at + 1] * length, u);
+        const double between = value_at(between_keys, c_.times_s[m]);
         off[m] = std::max(off[m], std::abs(between - value(m, curve)) / c_.tolerances[curve]);
       }
     }
-  }
-
-  /// Cubic Hermite at u of 0 to 1; slopes over the whole of it.
-  [[nodiscard]] static double cubic_between(double a, double slope_a, double b, double slope_b, double u) {
-    const double v = 1.0 - u;
-    return v * v * (a * (1.0 + 2.0 * u) + slope_a * u) + u * u * (b * (1.0 + 2.0 * v) - slope_b * v);
   }
 
   /// The farthest that anything is off without the kept moment k.
