@@ -125,6 +125,7 @@ void App::advance() {
     notices_.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   controls_.tell_new_doubts();
+  editing_.moments().look_at(playback_.shown_moment());
   rest_wait_us_ = wait_for_rest(now);
   editing_.shown().hold_still(rest_wait_us_ > 0);
   editing_.shown().follow_pen();
@@ -173,7 +174,8 @@ void App::begin_frame() {
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
   // Where the features are is found once the pen comes near the face.
-  look.features = look.tool->kind == drawing::ToolKind::draw && panels_.shown && hits_.on_canvas(place_.at());
+  look.features = !playback_.playing() && look.tool->kind == drawing::ToolKind::draw && panels_.shown &&
+                  hits_.on_canvas(place_.at());
   curves_.add_to(look, place_.at());
   tour_.follow();
   drawing_.curves = shown_curves(editing_, canvas_.surface(), look);
