@@ -367,6 +367,9 @@ constexpr std::array k_actions{
     ActionInfo{{"backdrop"}, "Picture behind", {}, {},
      "A picture, or the frames of a film, behind the model to draw after",
      "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16", does<adjust_backdrop>},
+    ActionInfo{{"preferences"}, "Preferences", ctrl(','), {}, "View, pen, keys, time and folders, as they are kept",
+     "C12 12 3M12 3L12 6M12 18L12 21M3 12L6 12M18 12L21 12M6 6L8 8M16 16L18 18M18 6L16 8M6 18L8 16",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog{"preferences"}); })},
     ActionInfo{{"backdrop_off"}, "No picture", {}, {}, "Take the picture behind the model away",
      "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", does([](CanvasLook& look) { look.backdrop.reset(); })},
 };
