@@ -46,7 +46,10 @@ const ActionInfo& info(Action action) {
   return all_actions().front();
 }
 
-const ActionInfo* action_of(const KeyStroke& key) {
+const ActionInfo* action_of(const KeyStroke& pressed) {
+  KeyStroke key = pressed;
+  // Where + lies on the key of =, as on most keyboards, it is typed with Shift.
+  if (key.key == '=' && key.shift) key = {'+', key.ctrl, false};
   for (const ActionInfo& one : all_actions()) {
     if (one.key.key != 0 && (one.key == key || (one.other.key != 0 && one.other == key))) return &one;
   }

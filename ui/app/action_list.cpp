@@ -80,7 +80,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback) {
+            SuggestionOffer& offer, Playback& playback, Controls& controls) {
   if (panels.radial) {
     panels.radial.reset();
   } else if (panels.curve_menu) {
@@ -91,6 +91,8 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     offer.dismiss(editing);
   } else if (playback.playing()) {
     playback.play_or_stop();
+  } else if (controls.lent().lent()) {
+    if (!editing.pen_is_drawing()) controls.lent().give_back();
   } else if (editing.document().pending) {
     editing.perform(document::CancelDeformer{});
   }
@@ -171,11 +173,9 @@ constexpr KeyStroke shift(std::uint32_t key) { return {key, false, true}; }
 constexpr std::array k_actions{
     ActionInfo{{"undo"}, "Undo", ctrl('z'), {}, "Take back the last step",
      "M9 5L4 10L9 15M4 10L14 10A14 14.5 4.5 -90 90M14 19L10 19",
-
      does([](Playback& playback) { playback.undo(); }), does([](EditingSession& editing) { return editing.steps().can_undo() > 0; })},
     ActionInfo{{"redo"}, "Redo", ctrl_shift('z'), ctrl('y'), "Bring back what was undone",
      "M15 5L20 10L15 15M20 10L10 10A10 14.5 4.5 270 90M10 19L14 19",
-
      does([](Playback& playback) { playback.redo(); }), does([](EditingSession& editing) { return editing.steps().can_redo() > 0; })},
     ActionInfo{{"clear_curves"}, "Clear", shift('x'), {}, "Remove all curves; the pose stays",
      "M5 7L19 7M9 7L9 4L15 4L15 7M7 7L8 20L16 20L17 7", does<clear_curves>},
@@ -322,6 +322,9 @@ constexpr std::array k_actions{
     ActionInfo{{"backdrop"}, "Picture behind", {}, {},
      "A picture, or the frames of a film, behind the model to draw after",
      "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16", does<adjust_backdrop>},
+    ActionInfo{{"preferences"}, "Preferences", ctrl(','), {}, "View, pen, keys, time and folders, as they are kept",
+     "C12 12 3M12 3L12 6M12 18L12 21M3 12L6 12M18 12L21 12M6 6L8 8M16 16L18 18M18 6L16 8M6 18L8 16",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog{"preferences"}); })},
     ActionInfo{{"backdrop_off"}, "No picture", {}, {}, "Take the picture behind the model away",
      "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", does([](CanvasLook& look) { look.backdrop.reset(); })},
 };

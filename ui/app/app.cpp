@@ -64,6 +64,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_) {
+  canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
   if (!recovery_.abandoned().empty()) {
@@ -125,6 +126,7 @@ void App::advance() {
     notices_.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   controls_.tell_new_doubts();
+  editing_.moments().look_at(playback_.shown_moment());
   rest_wait_us_ = wait_for_rest(now);
   editing_.shown().hold_still(rest_wait_us_ > 0);
   editing_.shown().follow_pen();
@@ -173,7 +175,8 @@ void App::begin_frame() {
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
   // Where the features are is found once the pen comes near the face.
-  look.features = look.tool->kind == drawing::ToolKind::draw && panels_.shown && hits_.on_canvas(place_.at());
+  look.features = !playback_.playing() && look.tool->kind == drawing::ToolKind::draw && panels_.shown &&
+                  hits_.on_canvas(place_.at());
   if (look.tool->shows_arcs)
     look.arcs = arcs_.of(editing_.document(), editing_.features(), canvas_.view(), playback_.rate());
   curves_.add_to(look, place_.at());

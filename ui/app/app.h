@@ -41,6 +41,7 @@ struct AppOptions {
   std::string program = "penpose";
   const decode::TabletTable* own_tablets = nullptr;
   bool slow_screen = false;  ///< nothing moves by itself, and while the pen draws the face waits until it rests
+  double scale = 0;          ///< of the interface, before all else that says it; 0: settings and system do
   PanelTurn panel = {};      ///< how the panel is mounted that pens may be built into
 };
 

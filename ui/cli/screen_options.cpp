@@ -18,6 +18,10 @@ void add_screen_options(CLI::App& app, files::WindowRequest& request) {
       ->check(CLI::IsMember(std::vector<std::string>{"built-in", "all", "none"}));
   app.add_option("--dpi", request.dpi, "Pixels per inch of the screen, where it says none or wrong ones")
       ->check(CLI::Range(60.0, 600.0));
+  app.add_option("--scale", request.scale,
+                 "Size of the interface, 1 being that of 96 pixels per inch; without it, as chosen with Larger and "
+                 "Smaller on top of what the desktop says, or else the screen's pixels per inch")
+      ->check(CLI::Range(0.5, 4.0));
   app.add_option_function<std::string>(
          "--screen-kind", [&request](const std::string& kind) { request.slow_screen = kind == "slow"; },
          "slow: a screen that takes long to change (electronic paper): nothing moves by itself, and while the pen "

@@ -11,6 +11,8 @@
 #include "core/character/demo_head.h"
 #include "core/document/expressions.h"
 #include "core/head/head.h"
+#include "core/io/gltf/read/gltf_contents.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/model/read_model.h"
 #include "core/io/project/read_document.h"
 #include "ui/files/files.h"
@@ -77,6 +79,12 @@ ModelName model_name(const std::string& text) {
 bool leaves_axes_open(const std::string& file) {
   const std::string extension = base::lower_case(std::filesystem::path(file).extension().string());
   return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
+}
+
+bool is_project(const std::string& file) {
+  if (!io::keeps_everything(file)) return false;
+  const auto bytes = read_plain_file(file);
+  return bytes && io::gltf_contents(*bytes).is_project;
 }
 
 base::Result<document::Model> load_model(const std::string& called, NamedBy named, const io::Orientation& wanted) {

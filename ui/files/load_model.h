@@ -26,6 +26,9 @@ struct ModelName {
 /// Whether files of this name leave open which axis is up: OBJ, PLY, OFF, STL.
 [[nodiscard]] bool leaves_axes_open(const std::string& file);
 
+/// Whether a file opens as a project with all that was done in it, and not as a model that others made.
+[[nodiscard]] bool is_project(const std::string& file);
+
 /// Opens and reads a model, and the files below its folder that it names; "builtin:head" is the built-in head and
 /// "builtin:demo" the same with the deformers of the demo. `path` may be a ModelName's text. `orientation`: how
 /// the file's coordinates are meant, where it does not say so itself; before what the text says. Errors of the file

@@ -25,6 +25,7 @@ struct WindowRequest {
   int rotate = 0;             ///< degrees, clockwise, by which the picture is turned: 0, 90, 180, 270
   std::string rotate_input;   ///< which pens and fingers turn with it: "built-in" (also empty), "all", "none"
   double dpi = 0;             ///< px per inch of the screen; 0: as it says itself
+  double scale = 0;           ///< of the interface, 1 being that of 96 px per inch; 0: as settings and system say
   bool slow_screen = false;   ///< one that takes long to change, such as electronic paper
   bool timings = false;       ///< prints how long things took when the window is closed
 };

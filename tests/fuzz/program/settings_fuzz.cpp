@@ -1,9 +1,10 @@
 // A settings file of any content, bindings of keys and dials among it: what was read is what would be read of what
-// would be written, and within its bounds.
+// would be written, and within its bounds. And the same as the resources of an X server.
 
 #include <cstdint>
 #include <cstdlib>
 
+#include "ui/app/canvas/own_scale.h"
 #include "ui/app/settings.h"
 
 using namespace penpose;
@@ -19,5 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   if (!(app::parse_settings(app::to_text(settings)) == settings)) std::abort();
+  const auto dpi = app::xft_dpi(base::as_text(base::Bytes(data, size)));
+  if (dpi && !(*dpi >= 24 && *dpi <= 768)) std::abort();
   return 0;
 }

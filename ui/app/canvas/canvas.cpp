@@ -21,6 +21,8 @@ double front_of(const document::Document& document) {
   return document.model->front_yaw_degrees;
 }
 
+constexpr double k_usual_dpi = 96;
+
 }  // namespace
 
 Canvas::Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player)
@@ -33,7 +35,14 @@ double Canvas::dpi() const {
   return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96;
 }
 
-double Canvas::scale() const { return preferences_.settings().scale * dpi() / 96; }
+double Canvas::base_scale() const {
+  if (asked_scale_ > 0) return asked_scale_;
+  return own_scale_ > 0 ? own_scale_ : dpi() / k_usual_dpi;
+}
+
+double Canvas::scale() const { return preferences_.settings().scale * base_scale(); }
+
+void Canvas::ask_scale(double scale) { asked_scale_ = scale / preferences_.settings().scale; }
 
 double Canvas::target_px() const {
   constexpr double k_target_mm = 9;
@@ -45,12 +54,16 @@ double Canvas::target_px() const {
   const double density = settings.density == Density::compact ? k_compact
                          : settings.density == Density::touch ? k_touch
                                                               : 1.0;
-  return std::ceil(k_target_mm / k_mm_per_inch * dpi() * std::max(1.0, settings.scale) * density);
+  // What the system scales is no smaller for that on the glass, unless that was asked for.
+  const double wanted_dpi = k_usual_dpi * base_scale();
+  const double counted_dpi = asked_scale_ > 0 ? wanted_dpi : std::max(dpi(), wanted_dpi);
+  return std::ceil(k_target_mm / k_mm_per_inch * counted_dpi * std::max(1.0, settings.scale) * density);
 }
 
-void Canvas::resized(geometry::Viewport window, double dpi) {
+void Canvas::resized(geometry::Viewport window, double dpi, double own) {
   window = {std::clamp(window.width, 1, 16384), std::clamp(window.height, 1, 16384)};
   dpi_ = dpi;
+  own_scale_ = own;
   if (window == window_ && view_.viewport == window) return;
   window_ = window;
   view_.viewport = window;

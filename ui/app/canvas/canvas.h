@@ -36,7 +36,12 @@ class Canvas {
   Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player);
 
   // The place of it.
-  void resized(geometry::Viewport window, double dpi);
+  /// `dpi` of the display; 0: not known. `own`: px for each px of an ordinary one, as the system wants it
+  /// (own_scale.h); 0: by the density.
+  void resized(geometry::Viewport window, double dpi, double own = 0);
+  /// Asks for a scale, whatever the settings and the system say; what is made larger or smaller later counts from
+  /// there. 0: does not.
+  void ask_scale(double scale);
   [[nodiscard]] geometry::Viewport window() const { return window_; }
   /// Px of the display for each px of an ordinary one.
   [[nodiscard]] double scale() const;
@@ -80,6 +85,8 @@ class Canvas {
  private:
   void frame_from(const render::Viewpoint& from);
   [[nodiscard]] double dpi() const;
+  /// Without what was chosen in the settings.
+  [[nodiscard]] double base_scale() const;
 
   EditingSession& editing_;
   Preferences& preferences_;
@@ -88,6 +95,8 @@ class Canvas {
   PosedSurface surface_;
   geometry::Viewport window_{1280, 800};
   double dpi_ = 96;
+  double own_scale_ = 0;
+  double asked_scale_ = 0;  ///< without what was chosen in the settings; 0: none
   Area free_{0, 0, 1280, 800};
   document::View view_;
   render::Viewpoint viewpoint_;

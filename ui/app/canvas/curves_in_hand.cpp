@@ -74,6 +74,7 @@ std::optional<document::CurveId> CurvesInHand::name_at(PxPoint at) const {
 
 void CurvesInHand::press(PxPoint at) {
   parts_.tool.press(at);
+  parts_.controls.lent().press();
   parts_.panels.curve_menu.reset();
   pressed_ = at;
   named_ = name_at(at);
@@ -186,6 +187,7 @@ void CurvesInHand::end_performance() {
 void CurvesInHand::release(PxPoint at) {
   parts_.tool.release();
   parts_.controls.show_new();
+  parts_.controls.lent().release();
   // A line may begin at a name; a touch of it is no line.
   if (const auto named = std::exchange(named_, std::nullopt); named && !is_far(at - pressed_)) {
     parts_.notices.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });

@@ -25,9 +25,10 @@ std::string free_name(const document::Document& document, const std::string& nam
 }  // namespace
 
 Controls::Controls(EditingSession& editing, Notices& notices, Canvas& canvas, PanelState& panels)
-    : editing_(editing), notices_(notices), canvas_(canvas), panels_(panels) {}
+    : editing_(editing), notices_(notices), canvas_(canvas), panels_(panels), lent_(editing) {}
 
 void Controls::open_document() {
+  lent_.forget();
   selected_.clear();
   new_surface_ = {};
   const auto& deformers = editing_.document().model->deformers;
@@ -114,7 +115,7 @@ void Controls::redraw(const std::string& deformer, articulation::CurveRole role)
   tool.deformer = deformer;
   tool.role = role;
   editing_.shown().preview(std::nullopt);
-  editing_.set_tool(tool);
+  lent_.lend(tool);
 }
 
 void Controls::draw_between(const std::string& deformer, double value) {
@@ -125,7 +126,7 @@ void Controls::draw_between(const std::string& deformer, double value) {
   tool.value = value;
   const auto index = rig::find_parameter(editing_.document().model->rig->parameters(), deformer);
   if (index) set_parameter(*index, value);
-  editing_.set_tool(tool);
+  lent_.lend(tool);
 }
 
 void Controls::correct_pose() {

@@ -9,6 +9,7 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/app/tools/lent_tool.h"
 
 namespace penpose::app {
 
@@ -38,6 +39,8 @@ class Controls {
   void correct_pose();
 
   // One that there is.
+  /// What is taken for one line of it.
+  [[nodiscard]] LentTool& lent() { return lent_; }
   /// The next stroke draws a curve of it again; regions in the view in which they were drawn.
   void redraw(const std::string& deformer, articulation::CurveRole role);
   /// The next stroke draws another target of it, at the value that it shows.
@@ -66,6 +69,7 @@ class Controls {
   Notices& notices_;
   Canvas& canvas_;
   PanelState& panels_;
+  LentTool lent_;
   std::string selected_;
   articulation::Mode new_mode_ = articulation::Mode::automatic;
   articulation::Surface new_surface_;

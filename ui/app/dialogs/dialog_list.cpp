@@ -26,6 +26,8 @@ void show_search_dialog(PanelContext&, EditingSession&, Playback&, Preferences&,
 void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Dialogs&);
+void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
+                             PanelState&);
 
 namespace {
 
@@ -46,15 +48,25 @@ void show(PanelContext& context, App& app) {
 }
 
 constexpr std::array k_dialogs{
-    DialogRow{Dialog::open, show<show_open_dialog>},         DialogRow{Dialog::save, show<show_save_dialog>},
-    DialogRow{Dialog::export_as, show<show_export_dialog>},  DialogRow{Dialog::recent, show<show_recent_dialog>},
-    DialogRow{Dialog::recover, show<show_recover_dialog>},   DialogRow{Dialog::steps, show<show_steps_dialog>},
-    DialogRow{Dialog::tablet, show<show_tablet_dialog>},     DialogRow{Dialog::pad, show<show_pad_dialog>},
-    DialogRow{Dialog::sessions, show<show_sessions_dialog>}, DialogRow{Dialog::unsaved, show<show_unsaved_dialog>},
-    DialogRow{Dialog::number, show<show_number_dialog>},     DialogRow{Dialog::key_name, show<show_key_dialog>},
-    DialogRow{Dialog::radial, show<show_radial_dialog>},     DialogRow{Dialog::shortcuts, show<show_shortcuts_dialog>},
-    DialogRow{Dialog::search, show<show_search_dialog>},     DialogRow{Dialog::history, show<show_history_dialog>},
-    DialogRow{Dialog::film, show<show_film_dialog>},         DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
+    DialogRow{Dialog::open, show<show_open_dialog>},
+    DialogRow{Dialog::save, show<show_save_dialog>},
+    DialogRow{Dialog::export_as, show<show_export_dialog>},
+    DialogRow{Dialog::recent, show<show_recent_dialog>},
+    DialogRow{Dialog::recover, show<show_recover_dialog>},
+    DialogRow{Dialog::steps, show<show_steps_dialog>},
+    DialogRow{Dialog::tablet, show<show_tablet_dialog>},
+    DialogRow{Dialog::pad, show<show_pad_dialog>},
+    DialogRow{Dialog::sessions, show<show_sessions_dialog>},
+    DialogRow{Dialog::unsaved, show<show_unsaved_dialog>},
+    DialogRow{Dialog::number, show<show_number_dialog>},
+    DialogRow{Dialog::key_name, show<show_key_dialog>},
+    DialogRow{Dialog::radial, show<show_radial_dialog>},
+    DialogRow{Dialog::shortcuts, show<show_shortcuts_dialog>},
+    DialogRow{Dialog::search, show<show_search_dialog>},
+    DialogRow{Dialog::history, show<show_history_dialog>},
+    DialogRow{Dialog::film, show<show_film_dialog>},
+    DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
+    DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
 };
 
 }  // namespace

@@ -44,6 +44,8 @@ class Dialogs {
 struct FileChoice {
   std::string folder;
   std::string name;
+  std::string lost;      ///< what writing to `asked_of` would lose, which was said; empty: nothing was
+  std::string asked_of;  ///< a path
 };
 
 }  // namespace penpose::app

@@ -28,6 +28,8 @@ struct Owners {
 namespace fs = std::filesystem;
 
 constexpr float k_wide = 17;
+/// Behind the name of a model, before the extension: the project that was made of it.
+constexpr std::string_view k_own_end = ".penpose";
 
 bool has_extension(const fs::path& path, std::span<const std::string> extensions) {
   const std::string extension = base::lower_case(path.extension().string());
@@ -85,22 +87,59 @@ std::string browse(PanelContext& context, const Owners& with, float height, std:
   return chosen;
 }
 
-/// A name for what is written, and a place. True when it is to be written; the full path is in `path`.
-bool choose_name(PanelContext& context, const Owners& with, const char* does, std::string& path) {
-  dialog_field(context, "##name", with.dialogs.state<FileChoice>().name, "name.glb");
+/// A name for what is written, and a place. True when it is to be written; the full path is in `path`. Before a file
+/// that is there is lost that is said, and pressed for once more.
+bool choose_name(PanelContext& context, const Owners& with, const char* does, std::string& path,
+                 std::string (*written_to)(const std::string& chosen) = nullptr) {
+  FileChoice& choice = with.dialogs.state<FileChoice>();
+  if (context.dialog_opens) choice.asked_of.clear();
+  dialog_field(context, "##name", choice.name, "name.glb");
   if (const std::string file = browse(context, with, 6 * context.unit, opened()); !file.empty()) {
-    with.dialogs.state<FileChoice>().name = fs::path(file).filename().string();
+    choice.name = fs::path(file).filename().string();
   }
-  const bool pressed = wide_button(context, does, 4 * context.unit) || context.accepts;
-  ImGui::SameLine();
-  if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
-  path = (fs::path(with.dialogs.state<FileChoice>().folder) / with.dialogs.state<FileChoice>().name).string();
-  return pressed && !with.dialogs.state<FileChoice>().name.empty();
+  path = (fs::path(choice.folder) / choice.name).string();
+  if (written_to != nullptr) path = written_to(path);
+  if (choice.asked_of != path) choice.asked_of.clear();
+  const bool asked = !choice.asked_of.empty();
+  if (asked) ImGui::TextWrapped("%s", choice.lost.c_str());
+  bool pressed = context.accepts;
+  const auto cancel = [&] {
+    if (wide_button(context, "Cancel", 4 * context.unit)) context.actions.run(Action::cancel);
+  };
+  // Where the first press was, a second one that came by itself does no harm.
+  if (asked) {
+    cancel();
+    ImGui::SameLine();
+    pressed = wide_button(context, "Write over it##now", 4 * context.unit) || pressed;
+  } else {
+    pressed = wide_button(context, does, 4 * context.unit) || pressed;
+    ImGui::SameLine();
+    cancel();
+  }
+  if (!pressed || choice.name.empty()) return false;
+  if (asked) return true;
+  choice.lost = with.files.lost_by_writing(path);
+  choice.asked_of = choice.lost.empty() ? std::string() : path;
+  return choice.lost.empty();
 }
 
+/// Without what the program itself puts behind a name.
 std::string stem_of(const Owners& with) {
   const std::string from = !with.files.project().empty() ? with.files.project() : with.files.path();
-  return from.starts_with("builtin:") ? "head" : fs::path(from).stem().string();
+  if (from.starts_with("builtin:")) return "head";
+  std::string stem = fs::path(from).stem().string();
+  if (stem.size() > k_own_end.size() && stem.ends_with(k_own_end)) stem.resize(stem.size() - k_own_end.size());
+  return stem;
+}
+
+/// What a project is called that is saved for the first time: never as the model that was opened.
+std::string name_for_project(const Owners& with) {
+  const std::string& folder = with.dialogs.state<FileChoice>().folder;
+  std::string stem = stem_of(with);
+  std::error_code code;
+  const bool taken = fs::exists(fs::path(folder) / (stem + ".glb"), code);
+  if (taken && !with.files.path().starts_with("builtin:")) stem += k_own_end;
+  return fs::path(free_path(folder, stem, ".glb")).filename().string();
 }
 
 }  // namespace
@@ -155,14 +194,12 @@ void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Dia
   if (dialogs.state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
     dialogs.state<FileChoice>().name =
-        files.project().empty()
-            ? fs::path(free_path(dialogs.state<FileChoice>().folder, stem_of(with), ".glb")).filename().string()
-            : fs::path(files.project()).filename().string();
+        files.project().empty() ? name_for_project(with) : fs::path(files.project()).filename().string();
   }
   if (begin_dialog(context, "Save", k_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
     std::string path;
-    if (choose_name(context, with, "Save##now", path)) leaving.save_from_dialog(path);
+    if (choose_name(context, with, "Save##now", path, project_path)) leaving.save_from_dialog(path);
   }
   end_dialog();
 }

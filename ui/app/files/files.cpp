@@ -6,6 +6,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/document/document_hash.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/orientation.h"
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
@@ -57,7 +58,8 @@ void Files::begin_session(document::Document document, const std::string& path) 
   parts_.editing.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
   parts_.recording.take(std::move(next));
   path_ = full;
-  set_project(!built_in && extension_of(path) == ".glb" ? full : std::string());
+  // A model that others made is no file to save to: the first save asks for a name.
+  set_project(files::is_project(full) ? full : std::string());
   parts_.opened();
 }
 
@@ -184,13 +186,24 @@ base::Status Files::save(const std::string& path) {
   }
   auto saved = files::save_document(parts_.editing.document(), path, files::SaveNotes::quiet);
   if (!saved) return saved;
-  if (extension_of(path) == ".glb") {
+  if (io::keeps_everything(path)) {
     parts_.editing.mark_saved();
     set_project(full);
   }
   parts_.preferences.remember(full);
   parts_.notices.tell("saved " + full);
   return saved;
+}
+
+std::string Files::lost_by_writing(const std::string& path) const {
+  std::error_code code;
+  if (!fs::exists(path, code) || (!project_.empty() && fs::equivalent(path, project_, code))) return {};
+  const std::string name = fs::path(path).filename().string();
+  const bool opened = fs::equivalent(path, files::model_name(path_).file, code);
+  if (opened && !files::is_project(path))
+    return name + " is the model that was opened. It is written over, and is lost as it came.";
+  if (files::is_project(path)) return name + " is another project. It is written over, and what is in it is lost.";
+  return name + " is a file that penpose did not save. It is written over, and is lost as it is.";
 }
 
 base::Status Files::export_to(const std::string& path) {

@@ -47,7 +47,10 @@ class Files {
   /// Writes a copy for other programs; the work stays where it is saved.
   base::Status export_to(const std::string& path);
 
-  /// Where Save writes; empty: it asks.
+  /// Says what is lost where a file of that name is written; empty: nothing is, or only what was saved before.
+  [[nodiscard]] std::string lost_by_writing(const std::string& path) const;
+
+  /// Where Save writes; empty: it asks. Never a model that others made.
   [[nodiscard]] const std::string& project() const { return project_; }
   /// What was opened.
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -32,8 +32,12 @@ void Leaving::quit_at_once() {
   quit_ = true;
 }
 
+std::string project_path(const std::string& chosen) {
+  return std::filesystem::path(chosen).has_extension() ? chosen : chosen + ".glb";
+}
+
 void Leaving::save_from_dialog(const std::string& chosen) {
-  const std::string path = std::filesystem::path(chosen).has_extension() ? chosen : chosen + ".glb";
+  const std::string path = project_path(chosen);
   if (const auto saved = files_.save(path); !saved) return notices_.tell(saved.error().line(path), true);
   dialogs_.show(Dialog::none);
   dialogs_.state<FileChoice>().name.clear();

@@ -6,6 +6,9 @@
 
 namespace penpose::app {
 
+/// The path that a project is saved to where one was chosen: without an extension it is a .glb file.
+[[nodiscard]] std::string project_path(const std::string& chosen);
+
 /// Leaves what is being worked on, for another file or for good. Asks about unsaved work first.
 class Leaving {
  public:

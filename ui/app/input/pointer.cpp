@@ -19,9 +19,9 @@ constexpr double k_slack_px = 4;
 
 Pointer::Pointer(const Parts& parts) : parts_(parts), touch_(k_slack_px * parts.canvas.scale()) {}
 
-void Pointer::resized(geometry::Viewport window, double dpi) {
+void Pointer::resized(geometry::Viewport window, double dpi, double own_scale) {
   const std::pair before(parts_.canvas.window(), parts_.canvas.scale());
-  parts_.canvas.resized(window, dpi);
+  parts_.canvas.resized(window, dpi, own_scale);
   // Fingers may be down from one frame to the next.
   if (before != std::pair(parts_.canvas.window(), parts_.canvas.scale()))
     touch_ = TouchGestures(k_slack_px * parts_.canvas.scale());

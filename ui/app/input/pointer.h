@@ -30,7 +30,7 @@ class Pointer {
   explicit Pointer(const Parts& parts);
 
   /// The window's size, which it says before every frame.
-  void resized(geometry::Viewport window, double dpi);
+  void resized(geometry::Viewport window, double dpi, double own_scale = 0);
   void moved(PxPoint at);
   void button(MouseButton button, bool down, PxPoint at, bool shift = false, bool ctrl = false);
   void wheel(double steps);

@@ -48,7 +48,7 @@ void redraw_correction(const Owners& with, const std::string& correction) {
     tool.kind = drawing::ToolKind::redraw;
     tool.deformer = correction;
     tool.role = articulation::CurveRole::target;
-    with.editing.set_tool(tool);
+    with.controls.lent().lend(tool);
     return;
   }
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "ui/app/canvas/canvas.h"
+#include "ui/app/controls/controls.h"
 #include "ui/app/face/feature_words.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
@@ -60,7 +61,7 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
 }  // namespace
 
 void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
-                     PanelState& panels) {
+                     Controls& controls, PanelState& panels) {
   const auto chosen = panels.curve_menu;
   if (const auto* line = chosen ? document::find_face_line(editing.document(), chosen->first) : nullptr) {
     show_face_menu(context, editing, canvas, panels, *line, chosen->second);
@@ -83,7 +84,7 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
       drawing::Tool tool;
       tool.kind = drawing::ToolKind::oversketch;
       tool.curve = id;
-      editing.set_tool(tool);
+      controls.lent().lend(tool);
       done = true;
     }
     if (reference && wide_button(context, "Keep##curve", -1, false, tooltip_of(Action::keep_curve).c_str())) {

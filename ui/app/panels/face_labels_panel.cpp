@@ -45,7 +45,7 @@ void show_face_labels(PanelContext& context, const Area& free, EditingSession& e
   const drawing::ToolKind tool = editing.editor().tool().kind;
   const auto& face = editing.document().face;
   panels.face_labels.clear();
-  if (!face || !panels.shown || face->time_s != editing.document().time_s || editing.pen_is_drawing()) return;
+  if (!face || !panels.shown || !editing.moments().shows(face->time_s) || editing.pen_is_drawing()) return;
   if (tool != drawing::ToolKind::draw && tool != drawing::ToolKind::none) return;
   const auto high = 0.7 * static_cast<double>(context.unit), gap = static_cast<double>(context.gap);
   std::vector<std::vector<PxPoint>> lines;

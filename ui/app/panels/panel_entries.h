@@ -18,6 +18,8 @@ struct ParameterList {
   std::string filter;
   std::set<std::string> folded;  ///< groups
   bool moved_only = false;       ///< only controls that are not at rest
+  /// Those that were listed so. One that is locked stays, though what was drawn is then solved without it.
+  std::set<std::string> moved;
 };
 
 /// The list of sketched controls.

@@ -20,7 +20,7 @@ void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
-void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
+void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Preferences&, Dialogs&);

@@ -59,7 +59,7 @@ void show_picture(PanelContext& context, const Owners& with, const document::Pos
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
                      5);
-  if (const auto place = context.pictures.place_of(with.editing.document(), key)) {
+  if (const auto place = context.pictures.place_of(with.editing.document(), key, choice.part)) {
     list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                          place->first, place->second, IM_COL32_WHITE, 4);
   }

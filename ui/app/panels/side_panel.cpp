@@ -106,16 +106,27 @@ bool group_row(PanelContext& context, const Owners& with, const std::string& gro
 }
 
 /// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
-/// are not at rest.
+/// are not at rest. One that is locked there goes on being listed, so that it can be freed where it was locked.
 std::vector<bool> wanted_parameters(const Owners& with) {
   const auto parameters = with.editing.document().model->rig->parameters();
+  const auto& locked = with.editing.document().locked;
   const rig::Pose& shown = with.editing.shown().pose();
+  ParameterList& list = with.panels.own.of<ParameterList>();
+  if (!list.moved_only) list.moved.clear();
   std::vector<bool> wanted(parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string& name = parameters[i].name;
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
-    const bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
-    wanted[i] = contains(parameters[i].name, with.panels.own.of<ParameterList>().filter) &&
-                (moved || !with.panels.own.of<ParameterList>().moved_only);
+    bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
+    if (list.moved_only) {
+      moved = moved || (list.moved.contains(name) && std::binary_search(locked.begin(), locked.end(), name));
+      if (moved) {
+        list.moved.insert(name);
+      } else {
+        list.moved.erase(name);
+      }
+    }
+    wanted[i] = contains(name, list.filter) && (moved || !list.moved_only);
   }
   return wanted;
 }

@@ -34,7 +34,11 @@ std::vector<std::pair<ImU32, const char*>> legend(const Owners& with) {
   using render::CurveKind;
   std::vector<std::pair<ImU32, const char*>> out;
   const document::Document& document = with.editing.document();
-  const auto any = [&](const auto& is) { return std::any_of(document.curves.begin(), document.curves.end(), is); };
+  const CurveMoments& moments = with.editing.moments();
+  const auto any = [&](const auto& is) {
+    return std::any_of(document.curves.begin(), document.curves.end(),
+                       [&](const auto& curve) { return moments.shows(curve->id) && is(curve); });
+  };
   const bool held = any([](const auto& c) { return c->role == document::PoseCurveRole::constraint; });
   const bool drawn = any([](const auto& c) { return c->role == document::PoseCurveRole::reference; });
   const bool wanted = any([](const auto& c) { return c->target.has_value(); });
@@ -42,7 +46,7 @@ std::vector<std::pair<ImU32, const char*>> legend(const Owners& with) {
   if (wanted) out.emplace_back(display(render::curve_color(CurveKind::target)), "should be");
   if (wanted) out.emplace_back(display(distance_color(1, 1)), "missed");
   if (held) out.emplace_back(display(render::curve_color(CurveKind::constraint)), "stays");
-  if (with.look.onion_skin && !document.timeline->keys.empty()) {
+  if (with.look.onion_skin && moments.any() && !document.timeline->keys.empty()) {
     out.emplace_back(display(render::from_srgb(k_before_color)), "key before");
     out.emplace_back(display(render::from_srgb(k_after_color)), "after");
   }

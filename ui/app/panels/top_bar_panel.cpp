@@ -72,7 +72,8 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
   ImGui::EndGroup();
   ImGui::SameLine();
   ImGui::BeginGroup();
-  actions({Action::stabiliser, Action::density, Action::theme, Action::larger, Action::smaller, Action::fullscreen});
+  actions({Action{"preferences"}, Action::stabiliser, Action::density, Action::theme, Action::larger, Action::smaller,
+           Action::fullscreen});
   rule(context);
   if (entry("Tablet", icon::k_tablet, "The area and the pressure of the tablet")) with.dialogs.show(Dialog::tablet);
   if (entry("Tablet keys", icon::k_keys, "What the keys and rings of the tablet and the pen's buttons do"))

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/document/time/timeline.h"
+#include "ui/app/playback/frames.h"
 
 namespace penpose::app {
 namespace {
@@ -18,7 +19,7 @@ Playback::Playback(Clock clock, EditingSession& editing, Notices& notices, Prefe
     : clock_(std::move(clock)), editing_(editing), notices_(notices), preferences_(preferences) {}
 
 void Playback::begin() {
-  playing_ = false;
+  playing_ = scrubs_ = false;
   time_s_ = editing_.document().time_s;
   std::vector<double> moments;
   for (const auto& key : editing_.document().timeline->keys) moments.push_back(key.time_s);
@@ -31,8 +32,7 @@ void Playback::play_or_stop() {
   if (keys.empty()) {
     notices_.tell("there is nothing to play yet: key a pose first");
   } else if (playing_) {
-    playing_ = false;
-    end_scrub();
+    stop();
   } else {
     playing_ = true;
     const double end = loop_.end_s(keys.back().time_s);
@@ -40,6 +40,20 @@ void Playback::play_or_stop() {
     play_from_s_ = time_s_;
     play_from_us_ = clock_();
   }
+}
+
+double Playback::settled(double time_s) const {
+  const auto& keys = editing_.document().timeline->keys;
+  const bool on_key = std::any_of(keys.begin(), keys.end(),
+                                  [&](const auto& key) { return std::abs(key.time_s - time_s) < k_same_time_s; });
+  return on_key ? time_s : on_frame(time_s, rate_);
+}
+
+void Playback::stop() {
+  if (!std::exchange(playing_, false)) return;
+  time_s_ = settled(time_s_);
+  // A pen that draws has begun on the pose that there is.
+  if (!editing_.pen_is_drawing()) end_scrub();
 }
 
 void Playback::follow_time(double was_s) {
@@ -70,7 +84,7 @@ void Playback::go_to_step(std::size_t commands) {
 
 void Playback::go_to(double time_s) {
   playing_ = false;
-  scrub(time_s);
+  scrub(settled(time_s));
   end_scrub();
 }
 
@@ -95,10 +109,18 @@ void Playback::step_key(int direction) {
 void Playback::scrub(double time_s) {
   time_s_ = std::clamp(time_s, 0.0, document::k_latest_key_s);
   const document::Document& document = editing_.document();
-  if (!document.timeline->keys.empty()) editing_.shown().preview(document::pose_at(document, time_s_));
+  scrubs_ = !document.timeline->keys.empty();
+  if (scrubs_) editing_.shown().preview(document::pose_at(document, time_s_));
+}
+
+std::optional<double> Playback::shown_moment() const {
+  if (playing_) return std::nullopt;
+  // A pose that is carried along the timeline keeps the lines that it was drawn with.
+  return scrubs_ ? time_s_ : editing_.document().time_s;
 }
 
 void Playback::end_scrub() {
+  scrubs_ = false;
   editing_.shown().preview(std::nullopt);
   const document::Document& document = editing_.document();
   if (document.timeline->keys.empty()) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ui/app/notices.h"
 #include "ui/app/playback/loop_range.h"
@@ -34,15 +35,19 @@ class Playback {
   [[nodiscard]] const WhileDrawing& while_drawing() const { return while_drawing_; }
 
   [[nodiscard]] bool playing() const { return playing_; }
-  /// Plays, or stops where it plays.
+  /// Plays, or stops.
   void play_or_stop();
-  void stop() { playing_ = false; }
+  /// Stops on the nearest frame, and takes its pose.
+  void stop();
   /// Plays on up to a moment of the clock, microseconds.
   void advance(std::int64_t now_us);
 
+  /// The moment of the pose that is shown; nothing while it plays.
+  [[nodiscard]] std::optional<double> shown_moment() const;
+
   void scrub(double time_s);
   void end_scrub();
-  /// Goes to a moment at once, as scrubbing and letting go does.
+  /// Goes to the frame nearest to a moment, or to the key that is there, as scrubbing and letting go does.
   void go_to(double time_s);
   /// Goes to the key before (-1) or after (1).
   void step_key(int direction);
@@ -58,6 +63,8 @@ class Playback {
 
  private:
   void follow_time(double was_s);
+  /// The nearest frame; a key that lies between two stays where it is.
+  [[nodiscard]] double settled(double time_s) const;
 
   Clock clock_;
   EditingSession& editing_;
@@ -68,6 +75,7 @@ class Playback {
   LoopRange loop_;
   WhileDrawing while_drawing_;
   bool playing_ = false;
+  bool scrubs_ = false;  ///< the timeline's pose is shown, and not taken yet
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;
 };

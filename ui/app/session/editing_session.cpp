@@ -51,6 +51,7 @@ void EditingSession::resume(replay::Session session, replay::SessionWriter* writ
   live_ = std::make_unique<replay::LiveSession>(std::move(session), writer, last_us);
   live_->connect(0, replay::virtual_pen_identity());
   set_tool(editor().tool());
+  moments_.begin(this->document());
   saved_revision_ = revision_++;
 }
 
@@ -60,6 +61,7 @@ void EditingSession::open(document::Document document, replay::SessionWriter* wr
   live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
   live_->connect(0, replay::virtual_pen_identity());
   set_tool({});
+  moments_.begin(this->document());
   saved_revision_ = ++revision_;
 }
 
@@ -86,6 +88,7 @@ void EditingSession::after_steps(const document::Document& before, bool solved) 
   const bool any = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.status.ok(); });
   if (!any) return;
   ++revision_;
+  moments_.follow(document());
   last_.grow_old();
   const bool same_rig = before.model == document().model;
   const document::CurveId drawn = new_target(before, document());

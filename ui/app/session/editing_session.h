@@ -9,6 +9,7 @@
 
 #include "replay/session/live_session.h"
 #include "ui/app/input/side_pairs.h"
+#include "ui/app/playback/curve_moments.h"
 #include "ui/app/session/last_stroke.h"
 #include "ui/app/session/session_input.h"
 #include "ui/app/session/shown_pose.h"
@@ -75,6 +76,9 @@ class EditingSession {
   [[nodiscard]] StepHistory& steps() { return steps_; }
   [[nodiscard]] ShownPose& shown() { return shown_; }
   [[nodiscard]] const ShownPose& shown() const { return shown_; }
+  /// Of which moments curves are, and which of them are shown.
+  [[nodiscard]] CurveMoments& moments() { return moments_; }
+  [[nodiscard]] const CurveMoments& moments() const { return moments_; }
   [[nodiscard]] LastStroke& last_stroke() { return last_; }
   [[nodiscard]] const LastStroke& last_stroke() const { return last_; }
 
@@ -107,6 +111,7 @@ class EditingSession {
   StepHistory steps_{*this};
   ShownPose shown_{*this};
   LastStroke last_;
+  CurveMoments moments_;
   std::uint64_t revision_ = 0;
   std::uint64_t saved_revision_ = 0;
 };

@@ -18,6 +18,8 @@ using geometry::ModelPoint;
 constexpr double k_feature_px = 20;
 constexpr double k_target_px = 20;
 constexpr double k_lasso_px = 34;
+/// A stroke on a panel may be meant for a line that is no farther away than this.
+constexpr double k_beside_px = 120;
 constexpr double k_near_s = 0.25;
 /// A slider that was pulled so much of the way is at its end.
 constexpr double k_pulled = 0.75;
@@ -82,7 +84,7 @@ double length_of(std::span<const PxPoint> line) {
 /// Commands that draw a line, which a step that wants another one takes back.
 bool draws(std::string_view command) {
   return command == "draw_reference" || command == "draw_target" || command == "sketch_curve" ||
-         command == "draw_constraint" || command == "pin";
+         command == "draw_constraint" || command == "pin" || command == "draw_face_line";
 }
 
 /// The control that was sketched last; empty: there is none.
@@ -246,9 +248,28 @@ TourGuide::Answer TourGuide::judge_drawn() const {
   const auto asked = seen(ghost_, view);
   const auto before = seen(from, view);
   if (line.empty() || asked.empty()) return {false, "That was not seen as a line: once more"};
+  // Of a line that is shown smaller the same share.
   const double scale = length_of(asked) / std::max(1.0, length_of(*drawn.line));
   const LineJudgement judgement = judge_line(line, {asked, before, within * scale, drawn.lasso});
   return {judgement.near, judgement.again};
+}
+
+std::string TourGuide::why_not(const std::vector<PxPoint>& stroke) const {
+  const Command* command = wanted();
+  const Drawn drawn = command == nullptr ? Drawn{} : drawn_by(*command);
+  if (drawn.line == nullptr) return {};
+  if (const std::string tool = pointed(); !tool.empty())
+    return "That was another tool: press " + tool + ", then draw along the dashed line";
+  const document::View& view = parts_.editing.editor().view();
+  const auto asked = seen(ghost_, view);
+  if (asked.empty() || stroke.empty()) return {};
+  const double scale = length_of(asked) / std::max(1.0, length_of(*drawn.line));
+  // A pen that moves on a panel draws nothing, though it may be meant to.
+  if (!stroke_draws_) {
+    const bool meant = length_of(stroke) > 0.5 * length_of(asked) && mean_distance(stroke, asked) < k_beside_px * scale;
+    return meant ? "That began beside the picture, where nothing is drawn: draw along the dashed line" : "";
+  }
+  return judge_line(stroke, {asked, {}, k_feature_px * scale, drawn.lasso}).again;
 }
 
 TourGuide::Answer TourGuide::judge() const {
@@ -283,8 +304,20 @@ void TourGuide::follow() {
   if (!tour_) return;
   const EditingSession& editing = parts_.editing;
   if (parts_.files.path() != tour_->model || parts_.player.trace) return leave();
-  if (editing.session().pens().current() != nullptr || editing.shown().live().active()) return;
   const auto& history = editing.editor().history();
+  if (const replay::DrawnStroke* stroke = editing.session().pens().current(); stroke != nullptr) {
+    stroke_.clear();
+    for (const auto& sample : stroke->samples) stroke_.push_back(sample.position);
+    stroke_draws_ = stroke->on_canvas;
+    before_stroke_ = history.undo_count();
+    return;
+  }
+  if (editing.shown().live().active()) return;
+  // A line that the tool could make nothing of leaves no step to look at.
+  const auto stroke = std::exchange(stroke_, {});
+  if (!stroke.empty() && history.undo_count() == before_stroke_) {
+    if (const std::string why = why_not(stroke); !why.empty()) again_ = why;
+  }
   // The tour's own card is laid out after its first step has begun.
   if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(ghost_);
   // Whoever takes back a step of the tour does it again.
@@ -306,8 +339,9 @@ void TourGuide::follow() {
       for (std::size_t i = begun_.back(); i < history.undo_count(); ++i)
         other = other || draws(history.called_step(i).name);
       if (!other) return;
+      const std::string tool = pointed();
       parts_.playback.go_to_step(begun_.back());
-      again_ = "Not yet that, so it is taken back";
+      again_ = "Not yet that, so it is taken back" + (tool.empty() ? std::string() : ": press " + tool + " first");
       return;
     }
     const Answer answer = judge();

@@ -72,6 +72,8 @@ class TourGuide {
   [[nodiscard]] std::optional<std::size_t> given() const;
   [[nodiscard]] Answer judge() const;
   [[nodiscard]] Answer judge_drawn() const;
+  /// What to try again after a stroke, in px of the view, that did nothing; empty: nothing is known of it.
+  [[nodiscard]] std::string why_not(const std::vector<geometry::PxPoint>& stroke) const;
 
   void bring_into_sight(std::span<const geometry::ModelPoint> line);
 
@@ -81,6 +83,9 @@ class TourGuide {
   std::vector<geometry::ModelPoint> ghost_;
   std::vector<geometry::ModelPoint> ghost_before_;  ///< of the step before
   std::string again_;
+  std::vector<geometry::PxPoint> stroke_;  ///< under the pen
+  bool stroke_draws_ = false;              ///< it began on the canvas
+  std::size_t before_stroke_ = 0;          ///< so many commands were done
 };
 
 }  // namespace penpose::app

@@ -103,6 +103,7 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editi
                      const CurveLook& look) {
   const bool held = look.dragged.has_value();
   for (const auto& curve : editing.document().curves) {
+    if (!editing.moments().shows(curve->id)) continue;
     const bool lit = look.highlighted == curve->id;
     const auto now = points_now(*curve, surface);
     CurveDrawing on_surface;
@@ -173,7 +174,7 @@ void add_features(std::vector<CurveDrawing>& out, const EditingSession& editing,
 /// The lines of the face as it should be, where this view shows them.
 void add_face_lines(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
   const auto& face = editing.document().face;
-  if (!face || face->time_s != editing.document().time_s) return;
+  if (!face || !editing.moments().shows(face->time_s)) return;
   for (const document::FaceLine& line : face->lines) {
     auto seen = document::line_in(editing.editor().view(), *face, line);
     if (!seen) continue;
@@ -338,7 +339,7 @@ render::Color distance_color(double distance, double model_size) {
 std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const PosedSurface& surface,
                                        const CurveLook& look) {
   std::vector<CurveDrawing> out;
-  if (look.onion_skin) add_onion_skins(out, editing, look);
+  if (look.onion_skin && editing.moments().any()) add_onion_skins(out, editing, look);
   add_arcs(out, look.arcs, look.time_s, look.scale);
   if (editing.editor().tool().kind == drawing::ToolKind::articulate) {
     add_outline(out, editing, look);
@@ -348,7 +349,8 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
     add_face_lines(out, editing, look);
     add_pose_curves(out, editing, surface, look);
   }
-  add_deformer(out, editing, look);
+  // What is played is looked at as it will be seen.
+  if (editing.moments().any()) add_deformer(out, editing, look);
   add_stroke(out, editing, look);
   // A recording that is played may have been drawn in a window of another size.
   const geometry::Viewport drawn_in = editing.editor().view().viewport;
@@ -375,9 +377,10 @@ std::optional<document::CurveId> curve_near(const EditingSession& editing, const
     return document::come_near(seen, pen, within_px);
   };
   for (const auto& curve : editing.document().curves) {
+    if (!editing.moments().shows(curve->id)) continue;
     if ((curve->target && near(curve->target->points)) || near(points_now(*curve, surface))) found = curve->id;
   }
-  if (const auto& face = editing.document().face; face && face->time_s == editing.document().time_s) {
+  if (const auto& face = editing.document().face; face && editing.moments().shows(face->time_s)) {
     for (const document::FaceLine& line : face->lines) {
       const auto seen = document::line_in(view, *face, line);
       if (seen && document::come_near(*seen, pen, within_px)) found = line.id;

@@ -59,6 +59,7 @@ base::Status run_app(const files::WindowRequest& request) {
   options.program = request.program;
   options.own_tablets = &*own;
   options.slow_screen = request.slow_screen;
+  options.scale = request.scale;
   options.panel = {request.rotate, turned_input(request.rotate_input)};
   App app(options);
   const std::string file = request.model.empty() ? "builtin:demo" : request.model;

@@ -7,9 +7,11 @@
 #include <string_view>
 
 #include "firmware_io/device/clock.h"
+#include "ui/app/canvas/own_scale.h"
 #include "ui/app/hands/panel_turn.h"
 #include "ui/app/view/present/cpu_presenter.h"
 #include "ui/app/view/present/output/drm_screens.h"
+#include "ui/app/window/x_resources.h"
 
 namespace penpose::app {
 namespace {
@@ -111,6 +113,8 @@ void Screen::take(SDL_Window* window) {
   } else {
     SDL_Rect all = k_usual;
     SDL_GetDisplayBounds(SDL_GetWindowDisplayIndex(window), &all);
+    const char* driver = SDL_GetCurrentVideoDriver();
+    if (driver != nullptr && std::string_view(driver) == "x11") text_dpi_ = xft_dpi(x_resources()).value_or(0);
     SDL_SetWindowMinimumSize(window, std::min(all.w, 480), std::min(all.h, 320));
   }
 }
@@ -134,6 +138,20 @@ double Screen::dpi() const {
   float diagonal = 0;
   if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window_), &diagonal, nullptr, nullptr) != 0) return 0;
   return static_cast<double>(diagonal);
+}
+
+double Screen::own_scale() const {
+  if (wanted_dpi_ > 0 || bare_) return 0;
+  SystemScale system;
+  system.text_dpi = text_dpi_;
+  int width = 0;
+  int height = 0;
+  SDL_GetWindowSize(window_, &width, &height);
+  if (width > 0) system.px_a_unit = static_cast<double>(panel().width) / width;
+  const char* qt = std::getenv("QT_SCALE_FACTOR");
+  system.toolkits = qt != nullptr ? toolkit_scale(qt, nullptr)
+                                  : toolkit_scale(std::getenv("GDK_SCALE"), std::getenv("GDK_DPI_SCALE"));
+  return app::own_scale(system);
 }
 
 geometry::PxPoint Screen::moved_mouse(geometry::PxPoint to, geometry::PxPoint by) {

@@ -43,6 +43,8 @@ class Screen {
   /// The size of the picture.
   [[nodiscard]] geometry::Viewport size() const { return turned_size(panel(), rotation_); }
   [[nodiscard]] double dpi() const;
+  /// As the desktop wants it (ui/app/canvas/own_scale.h); 0: it says nothing, or its density was given by hand.
+  [[nodiscard]] double own_scale() const;
   /// The place on the picture of the mouse that moved to a place by an amount, in SDL's units of the window.
   [[nodiscard]] geometry::PxPoint moved_mouse(geometry::PxPoint to, geometry::PxPoint by);
   /// The same of the mouse where SDL says that it is, and of a finger, in shares of the window's size.
@@ -60,6 +62,7 @@ class Screen {
   bool bare_;                 ///< there is no desktop
   bool bare_output_ = false;  ///< `output_` is a whole screen
   double bare_dpi_ = 0;
+  double text_dpi_ = 0;           ///< of the X resources; 0: none
   geometry::PxPoint bare_mouse_;  ///< on the panel, where `bare_output_`
   std::unique_ptr<PictureOutput> output_;
   SDL_Window* window_ = nullptr;

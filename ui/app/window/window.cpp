@@ -315,7 +315,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.of<Pointer>().resized(thread.drawable().value_or(state_->screen.size()), state_->screen.dpi());
+    app.of<Pointer>().resized(thread.drawable().value_or(state_->screen.size()), state_->screen.dpi(),
+                              state_->screen.own_scale());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
     last_us = now;

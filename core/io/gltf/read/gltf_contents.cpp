@@ -4,7 +4,9 @@
 #include <array>
 #include <set>
 
+#include "core/base/edition.h"
 #include "core/base/json/json.h"
+#include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {
 namespace {
@@ -58,12 +60,22 @@ std::string type_of(const Json& image) {
   return ends(".webp") ? "image/webp" : ends(".ktx2") ? "image/ktx2" : "";
 }
 
+/// Of another edition only the model is read.
+bool holds_project(const Json& root) {
+  const Json* extras = json::find(root, "extras");
+  const Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+  if (own == nullptr || json::find(*own, "project") == nullptr) return false;
+  const Json* edition = json::find(*own, "edition");
+  return edition != nullptr && json::whole_number(*edition, base::k_edition, base::k_edition).has_value();
+}
+
 }  // namespace
 
 GltfContents gltf_contents(base::Bytes bytes) {
   GltfContents contents;
   const auto root = json::parse_json(json_of(bytes));
   if (!root || !root->is_object() || json::find(*root, "asset") == nullptr) return contents;
+  contents.is_project = holds_project(*root);
   if (const Json* images = json::find(*root, "images"); images != nullptr && images->is_array()) {
     for (const Json& image : *images) {
       GltfTexture texture{text_member(image, "name"), type_of(image)};

@@ -18,6 +18,7 @@ struct GltfContents {
   std::vector<GltfTexture> textures;        ///< images, in the file's order
   std::vector<std::string> passed_through;  ///< what stays in the file as it is: "KHR_lights_punctual", "2 cameras"
   std::vector<std::string> not_understood;  ///< extensions that penpose does not know
+  bool is_project = false;                  ///< it opens as the document that this edition saved, and not as a model
 };
 
 /// Reads the JSON of a .gltf or .glb alone. Empty for anything else, and where the JSON cannot be read.

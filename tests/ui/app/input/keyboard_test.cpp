@@ -184,5 +184,20 @@ TEST(Keyboard, KeysInTheSlowFrameOfAClickOnAButtonAreTheProgramsOwn) {
   EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::constraint);
 }
 
+TEST(Keyboard, PlusIsTheSameWhetherItIsTypedWithShiftOrNot) {
+  Desk desk("plus");
+  desk.begin();
+  double& scale = desk.app->of<Preferences>().settings().scale;
+  const KeyStroke strokes[] = {{'=', true, false}, {'=', true, true}, {'+', true, false}};
+  for (const KeyStroke& stroke : strokes) {
+    scale = 1;
+    desk.hit(46, stroke.key, stroke.ctrl, stroke.shift);
+    EXPECT_DOUBLE_EQ(scale, 1.25) << static_cast<char>(stroke.key) << stroke.shift;
+  }
+  scale = 1;
+  desk.hit(45, '-', true);
+  EXPECT_DOUBLE_EQ(scale, 0.75);
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -154,5 +154,81 @@ TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts
   EXPECT_GT(after.points[n - 1].y, before.points[n - 1].y);
 }
 
+TEST(Controls, DrawingALineOfAControlAgainEndsWithTheLineAndByEscape) {
+  Desk desk("redraw-ends");
+  desk.begin();
+  sketch_chin(desk);
+  desk.click("Pose");
+  desk.app->of<PanelState>().controls_tab = true;
+  const std::string name = desk.document().model->deformers->deformers().back()->sketch().name;
+  desk.app->of<Controls>().select(name);
+  desk.frames();
+  const auto tool = [&] { return desk.app->of<EditingSession>().editor().tool().kind; };
+  desk.app->of<Controls>().redraw(name, articulation::CurveRole::target);
+  ASSERT_EQ(tool(), drawing::ToolKind::redraw);
+  // A tap is no line: it is tried again.
+  desk.stroke({{450, 300}, {451, 300}});
+  EXPECT_EQ(tool(), drawing::ToolKind::redraw);
+  const auto before = desk.document().model->deformers;
+  const auto mouth = desk.named_curve(any_curve(desk));
+  const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
+  desk.stroke({middle + PxPoint{-26, 28}, middle + PxPoint{0, 38}, middle + PxPoint{26, 28}});
+  ASSERT_NE(desk.document().model->deformers, before);
+  EXPECT_EQ(tool(), drawing::ToolKind::pose) << "the line is drawn: what was in hand is again";
+  // Other lines, until Escape.
+  desk.app->of<Controls>().redraw(name, articulation::CurveRole::general);
+  desk.app->of<Controls>().redraw(name, articulation::CurveRole::specific);
+  ASSERT_EQ(tool(), drawing::ToolKind::redraw);
+  desk.hit_escape();
+  EXPECT_EQ(tool(), drawing::ToolKind::pose);
+  // Whoever takes another tool meanwhile keeps it.
+  desk.app->of<Controls>().redraw(name, articulation::CurveRole::target);
+  desk.click("Draw");
+  desk.hit_escape();
+  EXPECT_EQ(tool(), drawing::ToolKind::draw);
+}
+
+TEST(Controls, RedrawOfATouchedTargetIsOfOneLine) {
+  Desk desk("redraw-curve");
+  desk.begin();
+  pose_mouth(desk);
+  desk.click("Select");
+  const auto& target = *desk.document().curves.front()->target;
+  const PxPoint at = target.line[target.line.size() / 2];
+  desk.stroke({at, at + PxPoint{1, 0}});
+  desk.click("Redraw##curve");
+  ASSERT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::oversketch);
+  const auto line = target.line;
+  desk.stroke({line[20], line[30] + PxPoint{0, -8}, line[40]});
+  ASSERT_NE(desk.document().curves.front()->target->line, line);
+  EXPECT_TRUE(desk.app->of<ToolInHand>().now().selects) << "Select is in hand again";
+}
+
+TEST(Controls, AControlThatIsLockedStaysInTheListOfTheMovedOnes) {
+  Desk desk("moved-locked");
+  desk.begin();
+  pose_mouth(desk);
+  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
+  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
+  desk.click("Moved");
+  const std::string lock = "##lock " + moved;
+  ASSERT_NE(desk.interface->find(lock), nullptr);
+  desk.click(lock);
+  const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
+  ASSERT_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest)
+      << "the line is solved again without it";
+  ASSERT_NE(desk.interface->find(lock), nullptr) << "it can be freed where it was locked";
+  desk.click(lock);
+  EXPECT_NE(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
+  // One that is away from rest stays in any case, and what was never listed does not come.
+  desk.app->of<EditingSession>().perform(document::LockParameters{{"jaw"}, true});
+  desk.app->of<Controls>().set_parameter(index, desk.document().model->rig->parameters()[index].maximum);
+  desk.click(lock);
+  EXPECT_NE(desk.interface->find(lock), nullptr);
+  EXPECT_EQ(
+      desk.interface->find("##lock jaw") != nullptr,
+      std::abs(desk.document().pose[*rig::find_parameter(desk.document().model->rig->parameters(), "jaw")]) > 0.005);
+}
+
 }  // namespace
 }  // namespace penpose::app

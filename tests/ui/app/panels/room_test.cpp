@@ -168,5 +168,31 @@ TEST(Room, ATooltipComesOnlyToAPointerThatRests) {
   EXPECT_EQ(desk.interface->next_frame_ms(), -1) << "the canvas has none";
 }
 
+TEST(Room, TheButtonsOfTheTimelineAreHitUpToTheirEdgesAtEveryDensity) {
+  Desk desk("density");
+  desk.begin();
+  desk.click("Key");
+  for (const Size& size : {Size{1280, 800, 96}, Size{800, 600, 96}}) {
+    desk.app->of<Pointer>().resized({size.width, size.height}, size.dpi);
+    for (const Density density : {Density::touch, Density::compact, Density::usual}) {
+      desk.app->of<Preferences>().settings().density = density;
+      desk.frames();
+      for (const double share : {0.06, 0.94}) {
+        const Area* play = desk.interface->find("Play");
+        ASSERT_NE(play, nullptr);
+        const PxPoint at{play->middle().x, play->top + share * play->height()};
+        desk.app->of<Pointer>().moved(at);
+        desk.app->of<Pointer>().button(MouseButton::left, true, at);
+        desk.app->of<Pointer>().button(MouseButton::left, false, at);
+        desk.frames();
+        EXPECT_TRUE(desk.app->of<Playback>().playing())
+            << size.width << " px wide, density " << static_cast<int>(density) << ", at " << share;
+        desk.app->of<Playback>().stop();
+        desk.frames();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -172,5 +172,101 @@ TEST(Time, AutoKeyKeysEveryChangeWithItsOwnUndo) {
   EXPECT_EQ(desk.document().curves.size(), 1U);
 }
 
+TEST(Time, PlayStopsOnAFrameWithItsPoseAndAKeyIsSetThere) {
+  Desk desk("stop-on-frame");
+  desk.begin();
+  desk.click("Key");
+  desk.app->of<Playback>().go_to(2);
+  moved_jaw(desk, 0.8);
+  desk.click("Key");
+  desk.app->of<Playback>().go_to(0);
+  for (const char* stops : {"key", "button", "tool"}) {
+    desk.press(' ');
+    ASSERT_TRUE(desk.app->of<Playback>().playing());
+    desk.frames(17);
+    desk.now_us += 5'000;
+    desk.frames(1);
+    const double playing_s = desk.app->of<Playback>().time_s();
+    EXPECT_NE(playing_s, on_frame(playing_s, 24)) << "the clock knows no frames";
+    if (stops == std::string("key")) desk.press(' ');
+    if (stops == std::string("button")) desk.click("Stop");
+    if (stops == std::string("tool")) desk.click("Pose");
+    EXPECT_FALSE(desk.app->of<Playback>().playing());
+    const double time_s = desk.app->of<Playback>().time_s();
+    EXPECT_DOUBLE_EQ(time_s, on_frame(time_s, 24)) << stops;
+    EXPECT_DOUBLE_EQ(desk.document().time_s, time_s) << stops;
+    EXPECT_GT(jaw(desk), 0) << "the pose of that frame is taken";
+    EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
+  }
+  desk.click("Key");
+  for (const auto& key : desk.document().timeline->keys) EXPECT_DOUBLE_EQ(key.time_s, on_frame(key.time_s, 24));
+  EXPECT_EQ(desk.document().timeline->keys.size(), 3U);
+  // A frame that is typed between two is none; a key that lies there is gone to.
+  desk.app->of<Playback>().go_to(30.4 / 24);
+  EXPECT_DOUBLE_EQ(desk.app->of<Playback>().time_s(), 30.0 / 24);
+  ASSERT_TRUE(desk.app->of<EditingSession>().perform(document::SetKey{30.4 / 24, {}}));
+  desk.app->of<Playback>().go_to(30.4 / 24);
+  EXPECT_DOUBLE_EQ(desk.app->of<Playback>().time_s(), 30.4 / 24);
+}
+
+/// How many lines of posing are shown.
+std::ptrdiff_t shown_targets(Desk& desk) {
+  desk.frames();
+  const auto& curves = desk.app->of<CanvasDrawing>().curves;
+  return std::count_if(curves.begin(), curves.end(),
+                       [](const auto& one) { return one.kind == render::CurveKind::target; });
+}
+
+TEST(Time, LinesAreShownAtTheMomentThatTheyWereDrawnAtAndNotWhilePlaying) {
+  Desk desk("lines-in-time");
+  desk.begin();
+  pose_mouth(desk);
+  desk.click("Key");
+  ASSERT_EQ(shown_targets(desk), 1);
+  desk.press(' ');
+  desk.frames(2);
+  ASSERT_TRUE(desk.app->of<Playback>().playing());
+  EXPECT_EQ(shown_targets(desk), 0) << "nothing lies over what is played";
+  desk.press(' ');
+  desk.app->of<Playback>().scrub(1);
+  EXPECT_EQ(shown_targets(desk), 0) << "the face is another one there";
+  desk.app->of<Playback>().end_scrub();
+  EXPECT_EQ(shown_targets(desk), 0);
+  // What is not seen is not taken in hand either.
+  desk.click("Select");
+  const auto& line = desk.document().curves.front()->target->line;
+  const auto pose = desk.document().pose;
+  desk.stroke({line[line.size() / 2], line[line.size() / 2] + PxPoint{0, 25}});
+  EXPECT_EQ(desk.document().pose, pose);
+  // A line of that other moment, and back.
+  desk.click("Pose");
+  pose_mouth(desk);
+  EXPECT_EQ(shown_targets(desk), 1);
+  desk.click("Key");
+  EXPECT_EQ(shown_targets(desk), 1);
+  desk.press(',');
+  ASSERT_EQ(desk.document().time_s, 0);
+  EXPECT_EQ(shown_targets(desk), 1) << "the first line is back, the other one is gone";
+  EXPECT_TRUE(desk.app->of<EditingSession>().moments().shows(desk.document().curves.front()->id));
+  EXPECT_FALSE(desk.app->of<EditingSession>().moments().shows(desk.document().curves.back()->id));
+}
+
+TEST(Time, APoseThatIsKeyedElsewhereTakesItsLinesAlong) {
+  Desk desk("lines-carried");
+  desk.begin();
+  desk.click("Key");
+  pose_mouth(desk);
+  ASSERT_EQ(shown_targets(desk), 1);
+  desk.app->of<Playback>().go_to(1);
+  ASSERT_EQ(desk.document().time_s, 0) << "the pose is on no key yet";
+  EXPECT_EQ(shown_targets(desk), 1) << "it is the pose that they were drawn for";
+  desk.click("Key");
+  EXPECT_EQ(shown_targets(desk), 1);
+  desk.press(',');
+  EXPECT_EQ(shown_targets(desk), 0);
+  desk.press('.');
+  EXPECT_EQ(shown_targets(desk), 1);
+}
+
 }  // namespace
 }  // namespace penpose::app

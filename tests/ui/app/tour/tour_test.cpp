@@ -244,5 +244,66 @@ TEST(Tour, TheCardCutsNothingInAWindowOfAnySize) {
   }
 }
 
+TEST(Tour, AStrokeFiftyPxOffDoesNotCountAndItIsSaidWhyWhateverTheToolMadeOfIt) {
+  for (const std::string_view name : {"pose", "rig"}) {
+    Desk desk("tour-off-" + std::string(name));
+    begin_tour(desk, std::string(name));
+    const TourGuide& guide = desk.app->of<TourGuide>();
+    while (!guide.done()) {
+      const std::size_t step = guide.step();
+      if (!guide.ghost().empty() && guide.pointed().empty()) {
+        for (const PxPoint off : {PxPoint{0, -50}, PxPoint{0, 50}, PxPoint{50, 0}}) {
+          const std::string where = std::string(name) + " step " + std::to_string(step) + " " + std::to_string(off.x) +
+                                    "," + std::to_string(off.y);
+          const std::size_t done = desk.app->of<EditingSession>().editor().history().undo_count();
+          const bool may_count = guide.ghost_closed() || off.y == 0;
+          desk.stroke(shown_line(desk, off));
+          // Around a region, or along a line beside its ends, it may be near enough.
+          if (may_count && guide.step() == step + 1) {
+            desk.app->of<Playback>().undo();
+            desk.frames();
+          }
+          ASSERT_EQ(guide.step(), step) << where;
+          if (may_count && guide.again().empty()) continue;
+          EXPECT_NE(guide.again(), "") << where;
+          EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), done) << where;
+        }
+      }
+      desk.click("Skip##tour");
+      ASSERT_GT(guide.step(), step);
+    }
+  }
+}
+
+TEST(Tour, ALineOfAnotherToolIsTakenBackAndTheToolIsNamed) {
+  Desk desk("tour-tool");
+  begin_tour(desk, "pose");
+  desk.click("Draw");
+  desk.stroke(shown_line(desk));
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 0U);
+  EXPECT_NE(desk.app->of<TourGuide>().again().find("press Pose"), std::string::npos)
+      << desk.app->of<TourGuide>().again();
+  EXPECT_FALSE(desk.document().face);
+}
+
+TEST(Tour, AStrokeThatBeginsBelowThePictureIsSaidToDrawNothing) {
+  Desk desk("tour-below");
+  begin_tour(desk, "pose");
+  const double foot = desk.app->of<Canvas>().free_area().bottom;
+  const auto line = shown_line(desk);
+  const double below = foot + 6 - line.front().y;
+  ASSERT_LT(below, 110) << "the mouth is near the tour's card";
+  desk.stroke(shown_line(desk, {0, below}));
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 0U);
+  EXPECT_NE(desk.app->of<TourGuide>().again().find("beside the picture"), std::string::npos)
+      << desk.app->of<TourGuide>().again();
+  // A slider that is dragged is no line.
+  desk.stroke(shown_line(desk));
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 1U);
+  const Area slider = *desk.interface->find("slider jaw");
+  desk.stroke({slider.middle(), slider.middle() + PxPoint{40, 0}});
+  EXPECT_EQ(desk.app->of<TourGuide>().again(), "");
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -9,7 +9,7 @@ namespace {
 using geometry::ModelPoint;
 
 /// Where a picture looks from: x to the right, y down, z towards the eye, in px.
-struct Frame {
+struct Eye {
   ModelPoint middle{0};
   double scale = 1;
   double half = 0;
@@ -18,30 +18,15 @@ struct Frame {
   }
 };
 
-Frame frame_of(std::span<const ModelPoint> points, int px) {
-  geometry::Box box;
-  for (const ModelPoint& p : points) box.add(p);
-  Frame frame;
-  frame.half = 0.5 * px;
-  if (box.empty()) return frame;
-  // A head ends in shoulders as often as not; its face fills the picture.
-  const ModelPoint size = box.maximum - box.minimum;
-  const double side = std::max(1e-9, std::min(std::max(size.x, size.y), 1.15 * std::min(size.x, size.y)));
-  frame.middle = box.center();
-  frame.middle.y = box.maximum.y - 0.5 * std::min(size.y, side);
-  frame.scale = 0.94 * px / side;
-  return frame;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> surface_picture(std::span<const ModelPoint> positions,
-                                          std::span<const mesh::Triangle> triangles, std::span<const ModelPoint> frame,
+                                          std::span<const mesh::Triangle> triangles, const PictureFrame& frame,
                                           int px) {
   const auto size = static_cast<std::size_t>(px);
   std::vector<std::uint8_t> picture(2 * size * size, 0);
   std::vector<double> depth(size * size, -1e300);
-  const Frame from = frame_of(frame, px);
+  const Eye from{frame.middle, px / std::max(1e-9, frame.side), 0.5 * px};
   for (const mesh::Triangle& corners : triangles) {
     const glm::dvec3 a = from.seen(positions[corners[0]]);
     const glm::dvec3 b = from.seen(positions[corners[1]]);
@@ -80,11 +65,11 @@ void PosePictures::reserve(ImFontAtlas& atlas) {
 }
 
 std::optional<std::pair<ImVec2, ImVec2>> PosePictures::place_of(const document::Document& document,
-                                                                const document::PoseKey& key) {
+                                                                const document::PoseKey& key, FacePart part) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   if (rect_ < 0 || atlas.TexPixelsRGBA32 == nullptr) return std::nullopt;
   const auto found = std::find_if(pictures_.begin(), pictures_.end(), [&](const Picture& one) {
-    return one.model == document.model && one.pose == key.pose;
+    return one.model == document.model && one.pose == key.pose && one.part == part;
   });
   auto place = static_cast<std::size_t>(found - pictures_.begin());
   const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(rect_);
@@ -98,13 +83,16 @@ std::optional<std::pair<ImVec2, ImVec2>> PosePictures::place_of(const document::
     } else {
       place = next_++ % pictures_.size();
     }
-    pictures_[place] = {document.model, key.pose};
+    pictures_[place] = {document.model, key.pose, part};
+    if (framed_ != document.model) {
+      framed_ = document.model;
+      frames_ = picture_frames(*framed_);
+    }
     const rig::Rig& rig = *document.model->rig;
-    std::vector<ModelPoint> rest(rig.vertex_count());
     std::vector<ModelPoint> posed(rig.vertex_count());
-    rig.evaluate(rig::rest_pose(rig), rest);
     rig.evaluate(key.pose, posed);
-    const auto picture = surface_picture(posed, document.model->mesh->triangles(), rest, k_px);
+    const PictureFrame& frame = frames_[static_cast<std::size_t>(part)];
+    const auto picture = surface_picture(posed, document.model->mesh->triangles(), frame, k_px);
     for (int y = 0; y < k_px; ++y) {
       for (int x = 0; x < k_px; ++x) {
         const std::uint8_t* px =

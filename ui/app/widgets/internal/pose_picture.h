@@ -10,16 +10,17 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "ui/app/widgets/picture_frame.h"
 
 // Small pictures of poses. Private to the module: ImGui's types show.
 
 namespace penpose::app {
 
 /// Draws a posed surface from the front, lit from above the eye, into a square of `px` by `px` grey values with alpha
-/// (two bytes a pixel). `frame`: what the picture shows is framed as these positions at rest are.
+/// (two bytes a pixel).
 [[nodiscard]] std::vector<std::uint8_t> surface_picture(std::span<const geometry::ModelPoint> positions,
                                                         std::span<const mesh::Triangle> triangles,
-                                                        std::span<const geometry::ModelPoint> frame, int px);
+                                                        const PictureFrame& frame, int px);
 
 /// Pictures of keyed poses beside the letters in ImGui's one texture. One is drawn a frame, so that no frame is late.
 class PosePictures {
@@ -30,9 +31,10 @@ class PosePictures {
   /// Sets room aside in the atlas; before it is built. What was drawn is drawn again.
   void reserve(ImFontAtlas& atlas);
   void begin_frame() { drew_ = false; }
-  /// Where the picture of a key is in the texture (two corners); nothing while there is none yet.
+  /// Where the picture of a key's pose, or of a part of it, is in the texture (two corners); nothing while there is
+  /// none yet.
   [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> place_of(const document::Document& document,
-                                                                  const document::PoseKey& key);
+                                                                  const document::PoseKey& key, FacePart part);
   [[nodiscard]] bool reserved() const { return rect_ >= 0; }
   /// Something was drawn into the texture since it was last asked.
   [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
@@ -43,8 +45,11 @@ class PosePictures {
   struct Picture {
     std::shared_ptr<const document::Model> model;
     document::SharedPose pose;
+    FacePart part = FacePart::all;
   };
   int rect_ = -1;
+  std::shared_ptr<const document::Model> framed_;  ///< whose `frames_` they are
+  PictureFrames frames_;
   std::deque<Picture> pictures_;  ///< by place; as many as there is room for
   std::size_t next_ = 0;          ///< the place that is taken next where all are
   bool drew_ = false;

@@ -75,6 +75,8 @@ ImGuiStyle theme_style(bool light, float scale) {
   style.WindowPadding = {6, 6};
   style.FramePadding = {8, 6};
   style.ScaleAllSizes(scale);
+  // A line of status is lower than ImGui's least window, which would lie over the panel below it.
+  style.WindowMinSize = {1, 1};
   return style;
 }
 

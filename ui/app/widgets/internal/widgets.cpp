@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <imgui_stdlib.h>
 #include <utility>
@@ -214,8 +215,10 @@ bool action_button(PanelContext& context, Action action, float width, bool chose
 }
 
 bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
-  ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
-  ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
+  // Edges on whole px, so that neighbours leave no line between them.
+  const auto edge = [](double at) { return static_cast<float>(std::floor(at)); };
+  ImGui::SetNextWindowPos({edge(area.left), edge(area.top)});
+  ImGui::SetNextWindowSize({edge(area.right) - edge(area.left), edge(area.bottom) - edge(area.top)});
   context.hits.panels.push_back(area);
   const bool shown = ImGui::Begin(name, nullptr,
                                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
