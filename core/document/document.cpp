@@ -35,6 +35,7 @@ Document with_model(const Document& document, Model model) {
   for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
   after.timeline = std::make_shared<const Timeline>(std::move(timeline));
   std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
+  after.mouths = mouths_of_rig(document.mouths, parameters);
   if (document.taken) after.taken = taken_of_rig(*document.taken, parameters);
   return after;
 }
@@ -54,7 +55,8 @@ std::shared_ptr<const std::vector<TakenReading>> taken_of_rig(std::vector<TakenR
 bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
-         document.views.empty() && !document.face && !document.neutral;
+         document.views.empty() && !document.face && !document.neutral && !document.sound && document.mouths.empty() &&
+         !document.spoken;
 }
 
 Model model_of(const Document& document) {

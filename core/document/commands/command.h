@@ -10,6 +10,7 @@
 #include "core/document/commands/list/parameter_commands.h"
 #include "core/document/commands/list/placed_commands.h"
 #include "core/document/commands/list/posing_commands.h"
+#include "core/document/commands/list/sound_commands.h"
 #include "core/document/commands/list/target_commands.h"
 #include "core/document/commands/list/time_commands.h"
 
@@ -31,7 +32,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands, FaceCommands>::Type;
+                            CorrectionCommands, TimeCommands, FaceCommands, SoundCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {

@@ -11,7 +11,9 @@ namespace penpose::io {
 /// {"curves": [{"id", "role": "reference"|"constraint", "points": [[triangle, b0, b1, b2], ...], "kept": [[x, y, z],
 /// ...], "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}], "last_curve",
 /// "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
-/// {"interpolation", "keys": [{"time_s", "pose": [value, ...], "name" (if it has one)}]}, "views": [{"name", "view"}]}.
+/// {"interpolation", "keys": [{"time_s", "pose": [value, ...], "name" (if it has one)}]}, "views": [{"name", "view"}],
+/// "sound": {"file", "content", "offset_s"}, "mouths": [{"name", "values": {control: value}}], "spoken": [{"time_s",
+/// "mouth"}]}, the last three if there are any.
 /// Views and commands are written as core/document/commands/command_text.h says; "pose" is in the order of the model's
 /// parameters.
 [[nodiscard]] json::Json project_to_json(const document::Document& document);

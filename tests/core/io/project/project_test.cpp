@@ -55,6 +55,10 @@ DocumentHand full_hand() {
   hand.does(SetParameters{{{"lift", 0.9}, {"up", 0.5}, {"base.ry", -0.3}}});
   hand.does(SetKey{2, "smile \"x\""});
   hand.does(SetKeyInterpolation{KeyInterpolation::linear});
+  hand.does(SetSound{"sounds/talk \xc3\xa9.wav", {0x123456789abcdef0U, 0xfU}, -1.0 / 3});
+  hand.does(SetMouth{"open", {{"up", 0.25}, {"lift", 1.0 / 3}}});
+  hand.does(SetMouth{"rest", {}});
+  hand.does(KeyMouths{{0.5, 0.75}, {"open", "rest"}});
   hand.does(GoToTime{1.0 / 3});
   hand.does(SaveView{"front/top", hand.view});
   View side = hand.view;
