@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/app/panels/panels.h"
+#include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
 #include "ui/app/widgets/internal/pose_picture.h"
@@ -184,7 +185,7 @@ void Interface::show_all(PanelContext& context) {
     right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
     if (panels_.side_in_turn) left = 0;
   }
-  double bottom = 3 * unit + 4 * gap;
+  double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
   if (height - top - bottom - player - status < std::max(k_least_canvas * height, k_least_targets_down * unit))
     bottom = unit + 2 * gap;
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };

@@ -26,6 +26,7 @@ void show_search_dialog(PanelContext&, EditingSession&, Playback&, Preferences&,
 void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Dialogs&);
+void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
 
 namespace {
 
@@ -55,6 +56,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog::radial, show<show_radial_dialog>},     DialogRow{Dialog::shortcuts, show<show_shortcuts_dialog>},
     DialogRow{Dialog::search, show<show_search_dialog>},     DialogRow{Dialog::history, show<show_history_dialog>},
     DialogRow{Dialog::film, show<show_film_dialog>},         DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
+    DialogRow{Dialog::sound, show<show_sound_dialog>},
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -35,6 +36,7 @@ struct Owners {
   Notices& notices;
   Dialogs& dialogs;
   PanelState& panels;
+  SoundTrack& sound;
 };
 
 constexpr double k_least_range_s = 4;
@@ -47,8 +49,7 @@ struct Shown {
 };
 
 Shown shown_moments(const Owners& with) {
-  const document::Timeline& timeline = *with.editing.document().timeline;
-  const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
+  const double last = with.playback.last_s();
   const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(with.playback.time_s())});
   if (with.panels.own.of<TimelineShown>().span_s <= 0 || with.panels.own.of<TimelineShown>().span_s >= all) {
     with.panels.own.of<TimelineShown>().span_s = with.panels.own.of<TimelineShown>().from_s = 0;
@@ -345,14 +346,15 @@ void show_buttons(PanelContext& context, const Owners& with) {
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound) {
+  const Owners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, sound};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
     // A small window has no room for more.
     if (area.height() > 2 * static_cast<double>(context.unit)) {
       show_ruler(context, with);
       show_keys(context, with);
+      show_sound_strip(context, sound, playback, shown_moments(with).from, shown_moments(with).span);
     }
   }
   end_panel();
