@@ -7,6 +7,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 
 namespace penpose::base {
@@ -42,6 +43,15 @@ std::string Hash128::hex() const {
   append_hex(text, high, 16);
   append_hex(text, low, 16);
   return text;
+}
+
+std::optional<Hash128> parse_hash(std::string_view text) {
+  if (text.size() != 32) return std::nullopt;
+  if (text.find('+') != std::string_view::npos) return std::nullopt;  // which numbers may have in front
+  const auto high = parse_uint(text.substr(0, 16), 16);
+  const auto low = parse_uint(text.substr(16), 16);
+  if (!high || !low) return std::nullopt;
+  return Hash128{*high, *low};
 }
 
 StateHash::StateHash() : state_(std::make_unique<State>()) {}

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,9 @@ class StateHash {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The hash of 32 hexadecimal digits; nothing where the text is anything else.
+[[nodiscard]] std::optional<Hash128> parse_hash(std::string_view text);
 
 /// The hash of one run of bytes.
 [[nodiscard]] Hash128 hash_bytes(Bytes bytes);

@@ -46,6 +46,7 @@ Document with_model(const Document& document, Model model) {
   timeline = settled(std::move(timeline), parameters);
   after.timeline = std::make_shared<const Timeline>(std::move(timeline));
   std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
+  after.mouths = mouths_of_rig(document.mouths, parameters);
   if (document.taken) after.taken = taken_of_rig(*document.taken, parameters);
   return after;
 }
@@ -65,7 +66,8 @@ std::shared_ptr<const std::vector<TakenReading>> taken_of_rig(std::vector<TakenR
 bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
-         document.views.empty() && !document.face && !document.neutral;
+         document.views.empty() && !document.face && !document.neutral && !document.sound && document.mouths.empty() &&
+         !document.spoken;
 }
 
 rig::Pose pose_at(const Document& document, double time_s) {

@@ -11,6 +11,8 @@
 #include "core/document/drawing/face_drawing.h"
 #include "core/document/drawing/pose_curve.h"
 #include "core/document/model.h"
+#include "core/document/sound/mouths.h"
+#include "core/document/sound/sound_reference.h"
 #include "core/document/time/timeline.h"
 
 namespace penpose::document {
@@ -80,6 +82,9 @@ struct Document {
   std::shared_ptr<const FaceDrawing> neutral;            ///< the face at rest as the artist draws it; null: not known
   std::shared_ptr<const std::vector<TakenReading>> taken;  ///< later lines follow them, the latest last; null: none
   std::vector<std::shared_ptr<const NamedView>> views;
+  std::shared_ptr<const SoundReference> sound;  ///< beside the timeline; null: none
+  Mouths mouths;                                ///< in the order in which they were first kept
+  std::shared_ptr<const SpokenMouths> spoken;   ///< what KeyMouths keyed last; null: nothing
 };
 
 /// A new document of a model: its pose, no curves, no keys.

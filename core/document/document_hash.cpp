@@ -112,6 +112,31 @@ base::Hash128 hash_parameters(const Document& document) {
   return hash.digest();
 }
 
+/// Documents of before there was sound are hashed as ever.
+void add_sound(StateHash& hash, const Document& document) {
+  if (document.sound) {
+    hash.add("sound");
+    hash.add(document.sound->file);
+    add_digest(hash, document.sound->content);
+    hash.add(document.sound->offset_s);
+  }
+  for (const auto& mouth : document.mouths) {
+    hash.add("mouth");
+    hash.add(mouth->name);
+    hash.add(std::uint64_t{mouth->values.size()});
+    for (const NamedValue& one : mouth->values) {
+      hash.add(one.name);
+      hash.add(one.value);
+    }
+  }
+  if (!document.spoken) return;
+  hash.add("spoken");
+  for (const SpokenMouth& one : *document.spoken) {
+    hash.add(one.time_s);
+    hash.add(one.mouth);
+  }
+}
+
 base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
   StateHash hash;
   for (const PoseKey& key : document.timeline->keys) {
@@ -127,6 +152,7 @@ base::Hash128 hash_keys(const Document& document, const base::Hash128& animation
     }
   }
   add_digest(hash, animations);
+  add_sound(hash, document);
   return hash.digest();
 }
 

@@ -82,15 +82,6 @@ base::Error malformed(std::string_view what) {
           "record the session again or remove the line"};
 }
 
-std::optional<base::Hash128> read_hash(std::string_view text) {
-  if (text.size() != 32) return std::nullopt;
-  if (text.find('+') != std::string_view::npos) return std::nullopt;  // which numbers may have in front
-  const auto high = base::parse_uint(text.substr(0, 16), 16);
-  const auto low = base::parse_uint(text.substr(16), 16);
-  if (!high || !low) return std::nullopt;
-  return base::Hash128{*high, *low};
-}
-
 std::optional<int> read_device(std::string_view text) {
   const auto number = base::parse_uint(text);
   if (!number || *number > 9999) return std::nullopt;
@@ -103,7 +94,7 @@ Line parsed(SessionLine line) { return std::optional(std::move(line)); }
 
 Line parse_state(std::string_view text) {
   StateReached line;
-  const auto hash = read_hash(take_piece(text, ' '));
+  const auto hash = base::parse_hash(take_piece(text, ' '));
   if (!hash) return malformed("state");
   line.state.whole = *hash;
   for (std::size_t i = 0; i < document::k_state_parts.size(); ++i) {
@@ -131,7 +122,7 @@ Line parse_header(std::string_view text) {
 }
 
 Line parse_model(std::string_view text) {
-  const auto hash = read_hash(take_piece(text, ' '));
+  const auto hash = base::parse_hash(take_piece(text, ' '));
   if (!hash) return malformed("model");
   auto members = document::parse_members<HashMember>(text);
   if (!members) return members.error();

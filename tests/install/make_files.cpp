@@ -186,6 +186,7 @@ int main(int argc, char** argv) {
   write(folder / "keyed.glb", keyed(*head));
   write(folder / "cases.json", cases(*head));
   write(folder / "track.json", take(*head, 50, 12));
+  write(folder / "cues.tsv", std::string("0.00\tX\n0.50\tD\n1.00\tA\n1.10\tD\n1.50\tX\n"));
   write_elephant(folder);
   write_pictures(folder);
   write_shapes(folder);

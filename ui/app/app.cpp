@@ -46,6 +46,7 @@ App::App(AppOptions options)
       undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
+      sound_(editing_, notices_, playback_, files_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
@@ -63,7 +64,7 @@ App::App(AppOptions options)
                       place_, dials_, held_keys_, fingers_, pens_}),
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
-              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_) {
+              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_, sound_) {
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
@@ -119,6 +120,7 @@ void App::advance() {
   film_.follow();
   dials_.follow();
   playback_.advance(now);
+  sound_.follow(now);
   controls_.swing(now);
   // What was said of a stroke is over with the next one that does something, and with another tool.
   const auto now_is = std::pair(editing_.revision(), &tool_.now());
@@ -196,7 +198,10 @@ int App::next_frame_ms() {
   if (dials_.waits()) return k_dial_look_ms;
   if (film_.writes()) return k_film_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
-  return notices_.next_frame_ms();
+  const int told_ms = notices_.next_frame_ms();
+  const int sound_ms = sound_.next_frame_ms();
+  if (told_ms < 0 || sound_ms < 0) return std::max(told_ms, sound_ms);
+  return std::min(told_ms, sound_ms);
 }
 
 }  // namespace penpose::app

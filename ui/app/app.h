@@ -28,6 +28,7 @@
 #include "ui/app/preferences.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
+#include "ui/app/sound/sound_track.h"
 #include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/tour/tour_guide.h"
 
@@ -104,6 +105,7 @@ class App {
   TourGuide tour_;
   UndrawnTextures undrawn_;
   Files files_;
+  SoundTrack sound_;
   Leaving leaving_;
   Recovery recovery_;
   HandDesk desk_;
@@ -121,7 +123,7 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/app/panels/panels.h"
+#include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
 #include "ui/app/widgets/internal/pose_picture.h"
@@ -186,7 +187,7 @@ void Interface::show_all(PanelContext& context) {
   }
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
-  double bottom = 3 * unit + 4 * gap;
+  double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
   if (most < bottom) {
     bottom = unit + 2 * gap;
   } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {

@@ -15,6 +15,7 @@ Subcommand draw_subcommand();
 Subcommand articulate_subcommand();
 Subcommand track_subcommand();
 Subcommand animate_subcommand();
+Subcommand mouths_subcommand();
 Subcommand render_subcommand();
 Subcommand convert_subcommand();
 Subcommand serve_subcommand();
@@ -33,6 +34,7 @@ std::span<const Subcommand> subcommands() {
       articulate_subcommand(),  //
       track_subcommand(),       //
       animate_subcommand(),     //
+      mouths_subcommand(),      //
       render_subcommand(),      //
       convert_subcommand(),     //
       serve_subcommand(),       //

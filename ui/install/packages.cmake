@@ -73,6 +73,15 @@ if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")
   list(APPEND headers libopenmesh-dev)
 endif()
+get_target_property(sound_links core_sound LINK_LIBRARIES)
+if(sound_links MATCHES "SNDFILE")
+  set(sounds "libsndfile1 (>= 1.0.20)")
+endif()
+get_target_property(speech_links ui_speech LINK_LIBRARIES)
+if(speech_links MATCHES "pocketsphinx")
+  list(APPEND sounds "libpocketsphinx3 (>= 0.8)" "libsphinxbase3 (>= 0.8)")
+  set(english pocketsphinx-en-us)
+endif()
 set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
@@ -80,8 +89,8 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)"
-  "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter CONFLICTS penpose-nogui)
+With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)" ${sounds}
+  "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter ${english} CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It
@@ -90,7 +99,7 @@ bare mesh, and reads pen tablets directly.
 .
 The commands alone, for boards and farms: without the window, and so without
 SDL and OpenGL. The processor draws the pictures." DEPENDS ${c_library} ${solver} ${tablets} "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)"
-  "libwebp7 (>= 1.2.4)" CONFLICTS penpose)
+  "libwebp7 (>= 1.2.4)" ${sounds} RECOMMENDS ${english} CONFLICTS penpose)
 penpose_package(libpenpose0 libs "pose and rig 3D characters by drawing, the library"
 "The solver of penpose for other programs, in C: rigs, curves, targets,
 sketched deformers, recorded sessions, and pen tablets from their raw reports."

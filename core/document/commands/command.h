@@ -11,6 +11,7 @@
 #include "core/document/commands/list/parameter_commands.h"
 #include "core/document/commands/list/placed_commands.h"
 #include "core/document/commands/list/posing_commands.h"
+#include "core/document/commands/list/sound_commands.h"
 #include "core/document/commands/list/target_commands.h"
 #include "core/document/commands/list/time_commands.h"
 
@@ -32,7 +33,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands>::Type;
+                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {

@@ -56,7 +56,7 @@ const char* wrong(const articulation::Surface& surface) {
 }
 template <typename T>
 requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint32_t> ||
-         std::is_same_v<T, CurveId>) const char* wrong(const T&) {
+         std::is_same_v<T, CurveId> || std::is_same_v<T, base::Hash128>) const char* wrong(const T&) {
   return nullptr;
 }
 template <typename T>

@@ -6,19 +6,13 @@
 #include "core/base/members.h"
 #include "core/curve/stroke.h"
 #include "core/document/drawing/pose_curve.h"
+#include "core/document/named_value.h"
 
 // Members that several commands have alike.
 
 namespace penpose::document {
 
 using curve::PxPoint;
-
-/// A parameter and its value.
-struct NamedValue {
-  std::string name;
-  double value = 0;
-  friend bool operator==(const NamedValue&, const NamedValue&) = default;
-};
 
 struct NoMembers {
   static auto members(auto&) { return base::named(); }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/state_hash.h"
 #include "core/document/commands/command.h"
 
 namespace penpose::document {
@@ -49,6 +50,12 @@ template <>
 struct TextForm<std::string> {
   static void write(std::string& out, const std::string& value) { out += escape(value); }
   static std::optional<std::string> read(std::string_view text) { return unescape(text); }
+};
+/// 32 hexadecimal digits.
+template <>
+struct TextForm<base::Hash128> {
+  static void write(std::string& out, const base::Hash128& value) { out += value.hex(); }
+  static std::optional<base::Hash128> read(std::string_view text) { return base::parse_hash(text); }
 };
 template <>
 struct TextForm<CurveId> {

@@ -137,6 +137,15 @@ std::vector<Change> changes() {
       {"key's name", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys[0].name = ""; }); }},
       {"no key", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys.clear(); }); }},
       {"animation", "keys", [](D& d) { on_model(d, [](Model& m) { m.animations[0].channels[0].values[0] = 1; }); }},
+      {"sound", "keys",
+       [](D& d) {
+         d.sound = std::make_shared<const SoundReference>(SoundReference{"a.wav", {}, 0});
+       }},
+      {"mouth", "keys",
+       [](D& d) {
+         d.mouths.push_back(std::make_shared<const Mouth>(Mouth{"open", {}}));
+       }},
+      {"spoken", "keys", [](D& d) { d.spoken = std::make_shared<const SpokenMouths>(1); }},
       {"view's name", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.name = "side"; }); }},
       {"view", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.view.camera.eye.y = 1; }); }},
       {"no view", "curves", [](D& d) { d.views.clear(); }},

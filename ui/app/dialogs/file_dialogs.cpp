@@ -11,6 +11,7 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
+#include "ui/app/sound/sound_track.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -167,6 +168,26 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
     if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
       dialogs.close();
       dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
+    }
+  }
+  end_dialog();
+}
+
+void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, Dialogs& dialogs) {
+  static const std::vector<std::string> sounds{".wav", ".flac", ".ogg", ".oga"};
+  const Owners with{files, dialogs};
+  if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
+    ImGui::TextDisabled("WAV, FLAC or OGG");
+    const std::string chosen = browse(context, with, 8 * context.unit, sounds);
+    if (track.sound() != nullptr && wide_button(context, "Take the sound away")) {
+      track.remove();
+      dialogs.close();
+    }
+    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    if (!chosen.empty()) {
+      dialogs.close();
+      dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
+      track.open(chosen);
     }
   }
   end_dialog();

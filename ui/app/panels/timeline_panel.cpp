@@ -17,6 +17,7 @@
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -303,7 +304,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels) {
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
@@ -316,6 +317,8 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
       show_ruler(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
+      show_sound_strip(context, sound, playback, shown_moments(with).from, shown_moments(with).span);
       const float left = ImGui::GetContentRegionAvail().y;
       if (left > context.unit && with.shown().part == TimelinePart::sheet) show_dope_sheet(context, with, left);
       if (left > context.unit && with.shown().part == TimelinePart::curves) show_curve_editor(context, with, left);

@@ -28,14 +28,13 @@ void Playback::begin() {
 }
 
 void Playback::play_or_stop() {
-  const auto& keys = editing_.document().timeline->keys;
-  if (keys.empty()) {
+  if (last_s() <= 0 && editing_.document().timeline->keys.empty()) {
     notices_.tell("there is nothing to play yet: key a pose first");
   } else if (playing_) {
     stop();
   } else {
     playing_ = true;
-    const double end = loop_.end_s(keys.back().time_s);
+    const double end = loop_.end_s(last_s());
     if (time_s_ >= end || time_s_ < loop_.begin_s()) time_s_ = loop_.begin_s();
     play_from_s_ = time_s_;
     play_from_us_ = clock_();
@@ -142,13 +141,13 @@ void Playback::end_scrub() {
 void Playback::advance(std::int64_t now_us) {
   if (!playing_) return;
   const auto& keys = editing_.document().timeline->keys;
-  if (keys.empty()) {
+  if (keys.empty() && last_s() <= 0) {
     playing_ = false;
     editing_.shown().preview(std::nullopt);
     return;
   }
   const double begin = loop_.begin_s();
-  const double end = loop_.end_s(keys.back().time_s);
+  const double end = loop_.end_s(last_s());
   time_s_ = play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6;
   if (end <= begin) {
     time_s_ = begin;
@@ -157,7 +156,22 @@ void Playback::advance(std::int64_t now_us) {
     play_from_us_ = now_us;
     play_from_s_ = time_s_ = begin;
   }
-  editing_.shown().preview(document::pose_at(editing_.document(), time_s_));
+  if (!keys.empty()) editing_.shown().preview(document::pose_at(editing_.document(), time_s_));
+}
+
+double Playback::last_s() const {
+  const auto& keys = editing_.document().timeline->keys;
+  return std::max(sound_end_s_, keys.empty() ? 0.0 : keys.back().time_s);
+}
+
+void Playback::hear(double time_s, std::int64_t now_us) {
+  if (!playing_) return;
+  // Devices take samples in blocks: what is heard is followed smoothly.
+  constexpr double k_share = 0.1;
+  const double cursor_s = play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6;
+  const double ahead_s = time_s - cursor_s;
+  const bool far = std::abs(ahead_s) > 0.5 / rate_;
+  play_from_s_ += far ? ahead_s : k_share * ahead_s;
 }
 
 }  // namespace penpose::app

@@ -39,6 +39,12 @@ class Playback {
   void play_or_stop();
   /// Stops on the nearest frame, and takes its pose.
   void stop();
+  /// The moment at which the timeline ends: that of its last key, or the end of the sound beside it.
+  [[nodiscard]] double last_s() const;
+  void sounds_until(double time_s) { sound_end_s_ = time_s; }
+  /// What is heard now is of this moment: the cursor goes along with it, without a jump where it is less than half a
+  /// frame away.
+  void hear(double time_s, std::int64_t now_us);
   /// Plays on up to a moment of the clock, microseconds.
   void advance(std::int64_t now_us);
 
@@ -76,6 +82,7 @@ class Playback {
   WhileDrawing while_drawing_;
   bool playing_ = false;
   bool scrubs_ = false;  ///< the timeline's pose is shown, and not taken yet
+  double sound_end_s_ = 0;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;
 };

@@ -9,6 +9,7 @@
 #include "ui/app/app.h"
 #include "ui/app/hands/tablets.h"
 #include "ui/app/interface.h"
+#include "ui/app/window/sdl_sound.h"
 #include "ui/app/window/stop_watch.h"
 #include "ui/app/window/timings.h"
 #include "ui/app/window/window.h"
@@ -62,6 +63,7 @@ base::Status run_app(const files::WindowRequest& request) {
   options.scale = request.scale;
   options.panel = {request.rotate, turned_input(request.rotate_input)};
   App app(options);
+  app.of<SoundTrack>().set_output(make_sdl_sound());
   const std::string file = request.model.empty() ? "builtin:demo" : request.model;
   const std::string model = files::ModelName{file, request.orientation}.text();
   if (const auto opened = app.of<Files>().open(model); !opened) return in_file(opened.error(), model);

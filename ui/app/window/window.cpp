@@ -198,7 +198,11 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       interface.text(event.text.text);
       break;
     case SDL_DROPFILE:
-      app.of<Leaving>().ask_to_open(event.drop.file);
+      if (is_sound_name(event.drop.file)) {
+        app.of<SoundTrack>().open(event.drop.file);
+      } else {
+        app.of<Leaving>().ask_to_open(event.drop.file);
+      }
       SDL_free(event.drop.file);
       break;
     case SDL_WINDOWEVENT:

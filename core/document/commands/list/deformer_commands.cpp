@@ -302,6 +302,7 @@ Changed run(const Document& document, const RenameDeformer& command, Parts&) {
     *locked = command.to;
     std::stable_sort(changed.locked.begin(), changed.locked.end());
   }
+  changed.mouths = with_renamed_control(document.mouths, command.deformer, command.to);
   if (changed.taken) changed.taken = renamed(*changed.taken, command.deformer, command.to);
   if (auto error = check_pending_name(changed)) return *error;
   return changed;

@@ -6,6 +6,7 @@
 #include "core/document/commands/command_text.h"
 #include "core/io/project/internal/project_curves.h"
 #include "core/io/project/internal/project_face.h"
+#include "core/io/project/internal/project_sound.h"
 #include "core/io/project/internal/project_time.h"
 #include "core/io/project/internal/project_values.h"
 
@@ -174,6 +175,7 @@ json::Json project_to_json(const Document& document) {
     views.push_back({{"name", named->name}, {"view", document::to_text(named->view)}});
   }
   project["views"] = std::move(views);
+  write_project_sound(document, project);
   if (document.pending) project["pending"] = pending_commands(*document.pending);
   return project;
 }
@@ -181,8 +183,8 @@ json::Json project_to_json(const Document& document) {
 base::Result<Document> read_project(const json::Json& project, const std::string& pointer, document::Model model) {
   if (!project.is_object()) return project_error("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
-  for (const auto read :
-       {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views, read_pending}) {
+  for (const auto read : {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views,
+                          read_project_sound, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

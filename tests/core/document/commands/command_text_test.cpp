@@ -71,6 +71,12 @@ std::vector<Command> full_commands() {
           DrawFaceLine{{view, some_line()}},
           NameFaceLine{CurveId{4294967295U}, k_strange, true},
           SetNeutral{false},
+          SetSound{k_strange, {0x123456789abcdef0U, 0xfU}, -0.25},
+          RemoveSound{},
+          MoveSound{1.0 / 3},
+          SetMouth{k_strange, {{"jawOpen", 0.5}, {k_strange, -1}}},
+          DeleteMouth{k_strange},
+          KeyMouths{{0, 1.0 / 24}, {"rest", k_strange}},
           KeyPoses{{"jawOpen", k_strange}, {0, 1.0 / 24}, {0.5, 1e-9, 1, -2}}};
 }
 

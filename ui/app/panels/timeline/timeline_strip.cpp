@@ -18,8 +18,7 @@ constexpr float k_most_names_share = 0.3F;
 }  // namespace
 
 ShownMoments shown_moments(const TimelineOwners& with) {
-  const document::Timeline& timeline = *with.editing.document().timeline;
-  const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
+  const double last = with.playback.last_s();
   const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(with.playback.time_s())});
   TimelineShown& shown = with.shown();
   if (shown.span_s <= 0 || shown.span_s >= all) {

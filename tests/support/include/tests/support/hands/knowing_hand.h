@@ -335,6 +335,37 @@ class KnowingHand {
     return keys;
   }
 
+  document::Command make(Tag<document::SetSound>) {
+    return document::SetSound{
+        random_.chance(0.5) ? "talk.wav" : "song.ogg", {random_.below(9), 7}, random_.real(-1, 2)};
+  }
+  document::Command make(Tag<document::RemoveSound>) { return document::RemoveSound{}; }
+  document::Command make(Tag<document::MoveSound>) {
+    if (!doc().sound) return make(Tag<document::SetSound>{});
+    return document::MoveSound{random_.real(-1, 2)};
+  }
+  document::Command make(Tag<document::SetMouth>) {
+    const auto parameters = doc().model->rig->parameters();
+    document::SetMouth command{random_.chance(0.5) ? "open" : "closed", {}};
+    const auto& moved = parameters[random_.below(parameters.size())];
+    command.values.push_back({moved.name, random_.real(moved.minimum, moved.maximum)});
+    return command;
+  }
+  document::Command make(Tag<document::DeleteMouth>) {
+    return document::DeleteMouth{doc().mouths.empty() ? "open" : any(doc().mouths)->name};
+  }
+  document::Command make(Tag<document::KeyMouths>) {
+    if (doc().mouths.empty()) return make(Tag<document::SetMouth>{});
+    document::KeyMouths command;
+    double time = random_.real(0, 2);
+    for (std::size_t i = 1 + random_.below(4); i > 0; --i) {
+      command.times_s.push_back(time);
+      command.mouths.push_back(any(doc().mouths)->name);
+      time += random_.real(0.05, 0.4);
+    }
+    return command;
+  }
+
   /// One stroke of any tool, and before it what it goes on from where that is not there.
   void stroke() {
     drawing::Tool tool;
@@ -496,6 +527,12 @@ class KnowingHand {
       "set_key_slopes",
       "tween",
       "redraw_arc",
+      "set_sound",
+      "remove_sound",
+      "move_sound",
+      "set_mouth",
+      "delete_mouth",
+      "key_mouths",
   };
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
   std::set<std::string> drawn_;

@@ -1,0 +1,149 @@
+#include "core/document/commands/list/sound_commands.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "core/document/commands/apply_parts.h"
+#include "core/document/commands/list/time_commands.h"
+
+namespace penpose::document {
+namespace {
+
+std::optional<base::Error> check_offset(double offset_s) {
+  if (offset_s >= -k_latest_key_s && offset_s <= k_latest_key_s) return std::nullopt;
+  return base::Error{"the sound would begin beyond the timeline", "offset_s", "give seconds from -36000 to 36000"};
+}
+
+base::Error no_sound() { return {"there is no sound", "", "open one first"}; }
+
+std::optional<base::Error> check_values(const SetMouth& command, std::span<const rig::Parameter> parameters) {
+  std::vector<bool> named(parameters.size());
+  for (const NamedValue& one : command.values) {
+    const auto number = rig::find_parameter(parameters, one.name);
+    if (!number)
+      return base::Error{"the model has no parameter \"" + one.name + "\"", "values", "look at the names in the model"};
+    if (named[*number]) return base::Error{"\"" + one.name + "\" is named twice", "values", "name it once"};
+    named[*number] = true;
+    if (auto error = out_of_range(parameters[*number], one.value)) return error;
+  }
+  return std::nullopt;
+}
+
+/// The keys that were made of mouths, as other mouths make them; those that somebody changed since stay. `document` has
+/// the mouths as they were.
+Changed with_mouths(const Document& document, Mouths mouths, Parts& work) {
+  Document changed = document;
+  changed.mouths = std::move(mouths);
+  if (!document.spoken || document.timeline->keys.empty()) return changed;
+  const SpokenMouths& spoken = *document.spoken;
+  const auto parameters = document.model->rig->parameters();
+  const auto before = controls_of(document.mouths, spoken, parameters);
+  const auto now = controls_of(changed.mouths, spoken, parameters);
+  std::vector<std::string> names;
+  for (const std::size_t number : now) names.push_back(parameters[number].name);
+  for (const SpokenMouth& one : spoken) {
+    const Mouth* was = find_mouth(document.mouths, one.mouth);
+    const Mouth* is = find_mouth(changed.mouths, one.mouth);
+    if (was == nullptr || is == nullptr) continue;
+    const std::vector<double> values = values_of(*is, now, parameters);
+    if (before == now && values == values_of(*was, now, parameters)) continue;
+    const rig::Pose there = pose_at(changed, one.time_s);
+    const std::vector<double> made = values_of(*was, before, parameters);
+    bool as_made = true;
+    for (std::size_t i = 0; i < before.size(); ++i) as_made = as_made && there[before[i]] == made[i];
+    if (!as_made || names.empty()) continue;
+    auto keyed = run(changed, KeyPoses{names, {one.time_s}, values}, work);
+    if (!keyed) return keyed;
+    changed = std::move(keyed).value();
+  }
+  // The pose in hand is that of the moment.
+  if (document.pose == pose_at(document, document.time_s)) changed.pose = pose_at(changed, document.time_s);
+  return changed;
+}
+
+}  // namespace
+
+Changed run(const Document& document, const SetSound& command, Parts&) {
+  if (command.file.empty() || command.file.size() > k_longest_sound_path)
+    return base::Error{"the name of a file was expected", "file", "name a sound of at most 4096 bytes"};
+  if (auto error = check_offset(command.offset_s)) return *error;
+  Document changed = document;
+  changed.sound =
+      std::make_shared<const SoundReference>(SoundReference{command.file, command.content, command.offset_s});
+  return changed;
+}
+
+Changed run(const Document& document, const RemoveSound&, Parts&) {
+  if (!document.sound) return no_sound();
+  Document changed = document;
+  changed.sound = nullptr;
+  return changed;
+}
+
+Changed run(const Document& document, const MoveSound& command, Parts&) {
+  if (!document.sound) return no_sound();
+  if (auto error = check_offset(command.offset_s)) return *error;
+  Document changed = document;
+  changed.sound = std::make_shared<const SoundReference>(
+      SoundReference{document.sound->file, document.sound->content, command.offset_s});
+  return changed;
+}
+
+Changed run(const Document& document, const SetMouth& command, Parts& work) {
+  if (command.name.empty()) return base::Error{"a mouth needs a name", "name", "give one"};
+  if (auto error = check_values(command, document.model->rig->parameters())) return *error;
+  Mouths mouths = document.mouths;
+  const auto given = std::make_shared<const Mouth>(Mouth{command.name, command.values});
+  std::shared_ptr<const Mouth> kept = mouths_of_rig({given}, document.model->rig->parameters()).front();
+  for (auto& mouth : mouths) {
+    if (mouth->name != command.name) continue;
+    mouth = std::move(kept);
+    return with_mouths(document, std::move(mouths), work);
+  }
+  if (mouths.size() >= k_most_mouths)
+    return base::Error{"there are 100 mouths already", "name", "draw one of them again, or delete one"};
+  mouths.push_back(std::move(kept));
+  Document changed = document;
+  changed.mouths = std::move(mouths);
+  return changed;
+}
+
+Changed run(const Document& document, const DeleteMouth& command, Parts&) {
+  Document changed = document;
+  const auto found = std::find_if(changed.mouths.begin(), changed.mouths.end(),
+                                  [&](const auto& one) { return one->name == command.name; });
+  if (found == changed.mouths.end()) return base::Error{"there is no mouth of that name", "name", ""};
+  changed.mouths.erase(found);
+  if (!document.spoken) return changed;
+  SpokenMouths spoken = *document.spoken;
+  std::erase_if(spoken, [&](const SpokenMouth& one) { return one.mouth == command.name; });
+  changed.spoken = spoken.empty() ? nullptr : std::make_shared<const SpokenMouths>(std::move(spoken));
+  return changed;
+}
+
+Changed run(const Document& document, const KeyMouths& command, Parts& work) {
+  if (command.mouths.empty() || command.mouths.size() != command.times_s.size())
+    return base::Error{"there is not one mouth for each moment", "mouths", "name one a moment"};
+  const auto parameters = document.model->rig->parameters();
+  SpokenMouths spoken;
+  for (std::size_t i = 0; i < command.mouths.size(); ++i) {
+    if (find_mouth(document.mouths, command.mouths[i]) == nullptr)
+      return base::Error{"there is no mouth \"" + command.mouths[i] + "\"", "mouths", "keep it first"};
+    spoken.push_back({command.times_s[i], command.mouths[i]});
+  }
+  const auto controls = controls_of(document.mouths, spoken, parameters);
+  if (controls.empty()) return base::Error{"these mouths move nothing", "mouths", "draw them first"};
+  KeyPoses keys;
+  for (const std::size_t number : controls) keys.names.push_back(parameters[number].name);
+  keys.times_s = command.times_s;
+  for (const SpokenMouth& one : spoken) {
+    for (const double value : values_of(*find_mouth(document.mouths, one.mouth), controls, parameters))
+      keys.values.push_back(value);
+  }
+  auto changed = run(document, keys, work);
+  if (changed) changed->spoken = std::make_shared<const SpokenMouths>(std::move(spoken));
+  return changed;
+}
+
+}  // namespace penpose::document

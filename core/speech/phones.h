@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/byte_reader.h"
+
+namespace penpose::speech {
+
+/// A phoneme of the CMU dictionary, without stress, or a pause (an empty name), and when it sounds, s.
+struct Phone {
+  std::string name;
+  double from_s = 0;
+  double to_s = 0;
+  friend bool operator==(const Phone&, const Phone&) = default;
+};
+
+/// The words of a text in lower case: letters of ASCII and apostrophes. Numbers are left out.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view text);
+
+/// The phonemes of a text by a dictionary in CMU's form, "word P1 P2 ..." a line; the first way to say a word counts. A
+/// word that is not there is spelt by rules that get its lips right rather than its vowels.
+[[nodiscard]] std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictionary);
+
+/// The phonemes of a word by its letters alone.
+[[nodiscard]] std::vector<std::string> spelt(std::string_view word);
+
+}  // namespace penpose::speech

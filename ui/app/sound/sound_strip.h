@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/app/panels/panels.h"
+#include "ui/app/sound/sound_track.h"
+
+namespace penpose::app {
+
+/// The sound as a strip of the timeline that shows `span_s` seconds from `from_s` on: dragged sideways it begins at
+/// another moment; a button at its end mutes it. Nothing where there is no sound.
+void show_sound_strip(PanelContext& context, SoundTrack& track, const Playback& playback, double from_s, double span_s);
+
+/// How high the strip is, px; 0 where there is no sound.
+[[nodiscard]] double sound_strip_height(const PanelContext& context, const SoundTrack& track);
+
+}  // namespace penpose::app

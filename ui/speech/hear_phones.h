@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/sound/sound.h"
+#include "core/speech/phones.h"
+
+namespace penpose::speech {
+
+/// The phonemes that are spoken in a sound and when, ascending, with pauses between them; what is said is English.
+///
+/// `text`: what is said, where it is known: then its words are looked up and laid along the sound, which is far more
+/// certain than hearing alone. Empty: phonemes are recognised without words. `model`: the folder with PocketSphinx'
+/// acoustic model "en-us", "en-us-phone.lm.bin" and "cmudict-en-us.dict"; empty: where Debian has it. Errors: a build
+/// without PocketSphinx (PENPOSE_SPEECH), no model there, a text that the sound does not say, nothing that is spoken,
+/// a sound longer than k_longest_speech_s.
+[[nodiscard]] base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const std::string& text,
+                                                           const std::string& model = {});
+inline constexpr double k_longest_speech_s = 600;
+
+/// Whether this build hears speech.
+[[nodiscard]] bool hears_speech();
+
+}  // namespace penpose::speech
