@@ -64,7 +64,8 @@ App::App(AppOptions options)
                       place_, dials_, held_keys_, fingers_, pens_}),
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
-              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_, sound_) {
+              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
+              sound_) {
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "ui/app/notices.h"
-#include "ui/app/playback/key_selection.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/playback/pose_clipboard.h"
+#include "ui/app/playback/sheet/key_selection.h"
 #include "ui/app/session/editing_session.h"
 
 namespace penpose::app {

@@ -5,7 +5,7 @@
 #include "tests/support/app_desk.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/keys.h"
-#include "ui/app/playback/sheet_rows.h"
+#include "ui/app/playback/sheet/sheet_rows.h"
 
 // The dope sheet and the curve editor: keys of one control, selected, moved, scaled and bent by the pen.
 

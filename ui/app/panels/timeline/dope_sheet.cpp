@@ -7,7 +7,7 @@
 #include "ui/app/panels/timeline/sheet_names.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
-#include "ui/app/playback/sheet_rows.h"
+#include "ui/app/playback/sheet/sheet_rows.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/app/panels/timeline/timeline_strip.h"
-#include "ui/app/playback/sheet_rows.h"
+#include "ui/app/playback/sheet/sheet_rows.h"
 
 // What the sheet and the curves have in common. Private to the timeline.
 

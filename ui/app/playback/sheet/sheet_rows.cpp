@@ -1,4 +1,4 @@
-#include "ui/app/playback/sheet_rows.h"
+#include "ui/app/playback/sheet/sheet_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ui/app/playback/key_selection.h"
+#include "ui/app/playback/sheet/key_selection.h"
 
 #include "core/document/time/timeline_editing.h"
 
