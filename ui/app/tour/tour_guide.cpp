@@ -18,8 +18,6 @@ using geometry::ModelPoint;
 constexpr double k_feature_px = 20;
 constexpr double k_target_px = 20;
 constexpr double k_lasso_px = 34;
-/// A stroke on a panel may be meant for a line that is no farther away than this.
-constexpr double k_beside_px = 120;
 constexpr double k_near_s = 0.25;
 /// A slider that was pulled so much of the way is at its end.
 constexpr double k_pulled = 0.75;
@@ -264,11 +262,6 @@ std::string TourGuide::why_not(const std::vector<PxPoint>& stroke) const {
   const auto asked = seen(ghost_, view);
   if (asked.empty() || stroke.empty()) return {};
   const double scale = length_of(asked) / std::max(1.0, length_of(*drawn.line));
-  // A pen that moves on a panel draws nothing, though it may be meant to.
-  if (!stroke_draws_) {
-    const bool meant = length_of(stroke) > 0.5 * length_of(asked) && mean_distance(stroke, asked) < k_beside_px * scale;
-    return meant ? "That began beside the picture, where nothing is drawn: draw along the dashed line" : "";
-  }
   return judge_line(stroke, {asked, {}, k_feature_px * scale, drawn.lasso}).again;
 }
 
@@ -307,8 +300,9 @@ void TourGuide::follow() {
   const auto& history = editing.editor().history();
   if (const replay::DrawnStroke* stroke = editing.session().pens().current(); stroke != nullptr) {
     stroke_.clear();
-    for (const auto& sample : stroke->samples) stroke_.push_back(sample.position);
-    stroke_draws_ = stroke->on_canvas;
+    for (const auto& sample : stroke->samples) {
+      if (stroke->on_canvas) stroke_.push_back(sample.position);
+    }
     before_stroke_ = history.undo_count();
     return;
   }
@@ -352,6 +346,11 @@ void TourGuide::follow() {
     }
     begin_step(*found + 1);
   }
+}
+
+void TourGuide::drag_beside() {
+  if (!tour_ || ghost_.empty() || !pointed().empty()) return;
+  again_ = "That began beside the picture, where nothing is drawn: draw along the dashed line";
 }
 
 void TourGuide::skip() {

@@ -36,6 +36,8 @@ class TourGuide {
   void begin(Tour tour);
   /// Looks at what was done since; call it when the surface is up to date.
   void follow();
+  /// A line was begun on the tour's own card, which lies over the foot of the picture.
+  void drag_beside();
   /// Does the step in the user's place.
   void skip();
   void leave() { tour_.reset(); }
@@ -84,7 +86,6 @@ class TourGuide {
   std::vector<geometry::ModelPoint> ghost_before_;  ///< of the step before
   std::string again_;
   std::vector<geometry::PxPoint> stroke_;  ///< under the pen
-  bool stroke_draws_ = false;              ///< it began on the canvas
   std::size_t before_stroke_ = 0;          ///< so many commands were done
 };
 

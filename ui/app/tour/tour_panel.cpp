@@ -142,10 +142,16 @@ void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files&
                                   : static_cast<float>(area.bottom) - context.unit - context.gap;
     ImGui::SetCursorScreenPos({beside ? static_cast<float>(area.right) - k_buttons_units * context.unit : x, button_y});
     if (!guide.done()) {
+      bool held = false;
       if (wide_button(context, "Skip##tour", width, false, "This step is done for you")) pressed = Pressed::skip;
+      held = ImGui::IsItemActive();
       ImGui::SameLine();
       if (wide_button(context, "Leave##tour", width, false, "Go on by yourself, with what is drawn"))
         pressed = Pressed::leave;
+      held = held || ImGui::IsItemActive();
+      const ImVec2 from = ImGui::GetIO().MouseClickedPos[0];
+      const bool here = area.holds({static_cast<double>(from.x), static_cast<double>(from.y)});
+      if (!held && here && ImGui::IsMouseDragging(0, context.unit)) guide.drag_beside();
     } else {
       if (next != k_tours.end()) {
         if (wide_button(context, "Next tour##tour", width)) pressed = Pressed::next;

@@ -289,19 +289,31 @@ TEST(Tour, ALineOfAnotherToolIsTakenBackAndTheToolIsNamed) {
 TEST(Tour, AStrokeThatBeginsBelowThePictureIsSaidToDrawNothing) {
   Desk desk("tour-below");
   begin_tour(desk, "pose");
-  const double foot = desk.app->of<Canvas>().free_area().bottom;
-  const auto line = shown_line(desk);
-  const double below = foot + 6 - line.front().y;
-  ASSERT_LT(below, 110) << "the mouth is near the tour's card";
-  desk.stroke(shown_line(desk, {0, below}));
+  // By hand a line has as many frames as points.
+  const PxPoint at{desk.app->of<Canvas>().free_area().left + 40, desk.app->of<Canvas>().free_area().bottom + 6};
+  desk.app->of<Pointer>().moved(at);
+  desk.app->of<Pointer>().button(MouseButton::left, true, at);
+  desk.frames();
+  EXPECT_EQ(desk.app->of<TourGuide>().again(), "") << "a touch is no line";
+  desk.app->of<Pointer>().moved(at + PxPoint{120, 4});
+  desk.frames();
+  desk.app->of<Pointer>().button(MouseButton::left, false, at + PxPoint{120, 4});
+  desk.frames();
   EXPECT_EQ(desk.app->of<TourGuide>().step(), 0U);
   EXPECT_NE(desk.app->of<TourGuide>().again().find("beside the picture"), std::string::npos)
       << desk.app->of<TourGuide>().again();
-  // A slider that is dragged is no line.
+  // Neither is a press of a button that slips.
   desk.stroke(shown_line(desk));
   ASSERT_EQ(desk.app->of<TourGuide>().step(), 1U);
-  const Area slider = *desk.interface->find("slider jaw");
-  desk.stroke({slider.middle(), slider.middle() + PxPoint{40, 0}});
+  const PxPoint skip = desk.interface->find("Skip##tour")->middle();
+  desk.app->of<Pointer>().moved(skip);
+  desk.app->of<Pointer>().button(MouseButton::left, true, skip);
+  desk.frames();
+  desk.app->of<Pointer>().moved(skip - PxPoint{300, 0});
+  desk.frames();
+  desk.app->of<Pointer>().button(MouseButton::left, false, skip - PxPoint{300, 0});
+  desk.frames();
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U);
   EXPECT_EQ(desk.app->of<TourGuide>().again(), "");
 }
 
