@@ -267,8 +267,6 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(std::move(name));
   row.add(Action::auto_key, with.playback.while_drawing().auto_key, true, false);
   row.add(Action::perform, with.playback.while_drawing().performs, true, false);
-  row.add(Action::copy_key, false, true, false);
-  row.add(Action::paste_key, false, true, false);
   ButtonRow::Button kind{"##kinds"};
   kind.shows = [&with](PanelContext& panel, float width) { show_kinds(panel, with, width); };
   kind.width = 2.4F * context.unit;
@@ -288,6 +286,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
        [&with] { zoom_track(with, 1 / 1.6); });
   view("<##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
   view(">##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
+  row.add(Action::copy_key, false, true, false);
+  row.add(Action::paste_key, false, true, false);
   row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);
   row.add(Action::loop_to, with.playback.loop().to_s.has_value(), true, false);
   if (with.playback.loop().any()) row.add(Action::loop_off, false, true, false);

@@ -9,32 +9,17 @@
 #include "core/curve/sheet_line.h"
 #include "core/curve/slight_parts.h"
 #include "core/document/commands/apply_parts.h"
+#include "core/document/commands/list/solved_lines.h"
 #include "core/document/drawing/moment.h"
 #include "core/document/drawing/pose_problem.h"
 #include "core/document/drawing/pulled_target.h"
 #include "core/document/drawing/target_line.h"
 #include "core/geometry/lasso.h"
-#include "core/intent/earlier_lines.h"
 
 namespace penpose::document {
 namespace {
 
 using geometry::ModelPoint;
-
-/// Other readings that are kept of each line.
-constexpr std::size_t k_others = 2;
-
-intent::SolveOptions with_others() {
-  intent::SolveOptions options;
-  options.others = k_others;
-  return options;
-}
-
-std::vector<rig::Pose> poses_of(std::vector<intent::OtherReading> others) {
-  std::vector<rig::Pose> poses;
-  for (intent::OtherReading& one : others) poses.push_back(std::move(one.pose));
-  return poses;
-}
 
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
 Changed solved(Document document, Preset preset, Parts& work) {
@@ -53,41 +38,6 @@ Changed solved(Document document, Preset preset, Parts& work) {
   auto solution = posing::solve(*document.model->rig, problem, options, work.solve);
   if (!solution) return solution.error();
   document.pose = std::move(solution->pose);
-  return document;
-}
-
-/// Brings the references of a moment to their targets, one of which was just drawn. `stays`: points of its reference
-/// that a correction does not touch (DrawnCurve::stays).
-Changed solved_for(Document document, CurveId drawn, Parts& work, const std::vector<bool>& stays = {}) {
-  Moment moment = moment_of(document, drawn);
-  intent::IntentProblem problem = moment_problem(document, moment);
-  if (problem.free.empty()) return document;
-  const auto asks = [&] { return !problem.drawn.empty() && !problem.drawn.back().before; };
-  if (!stays.empty() && asks()) {
-    problem.drawn.back().stays = stays;
-    problem = intent::with_earlier_constrained(*document.model->rig, problem);
-  }
-  const auto solve = [&] {
-    return intent::solve(*document.model->rig, work.whole_of(document), problem, with_others(), work.meant);
-  };
-  base::Result<intent::Solution> solution = base::Error{};
-  if (asks()) solution = solve();
-  if (!solution) {
-    // A reference that is seen in the pose alone, not in the one before, for one.
-    moment = lone_moment(document, drawn);
-    problem = moment_problem(document, moment);
-    if (!asks()) return document;
-    solution = solve();
-    if (!solution) return solution.error();
-  }
-  document.pose = std::move(solution->pose);
-  moment.posed = document.pose;
-  moment.others = poses_of(std::move(solution->others));
-  for (const CurveId anew : drawn_anew(moment)) {
-    std::erase_if(document.curves, [&](const auto& curve) { return curve->id == anew; });
-    std::erase_if(moment.lines, [&](const auto& line) { return line.curve == anew; });
-  }
-  document.moment = std::make_shared<const Moment>(std::move(moment));
   return document;
 }
 
@@ -248,8 +198,7 @@ Changed run(const Document& document, const OversketchTarget& command, Parts& wo
   if (!over) return over.error();
   PoseCurve other = **curve;
   other.target = std::move(over).value();
-  const auto stays = untouched(target, *other.target);
-  return solved_for(with_replaced(document, std::move(other)), command.curve, work, stays);
+  return corrected(document, other, untouched(target, *other.target), work);
 }
 
 Changed run(const Document& document, const DragTarget& command, Parts& work) {
@@ -271,8 +220,7 @@ Changed run(const Document& document, const PullTarget& command, Parts& work) {
   if (!pulled) return pulled.error();
   PoseCurve other = **curve;
   other.target = std::move(pulled).value();
-  const auto stays = untouched(*(*curve)->target, *other.target);
-  return solved_for(with_replaced(document, std::move(other)), command.curve, work, stays);
+  return corrected(document, other, untouched(*(*curve)->target, *other.target), work);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {

@@ -28,9 +28,9 @@ TEST_F(MouthsCommand, KeysTheMouthsOfCues) {
   ASSERT_TRUE(document.ok()) << document.error().line();
   EXPECT_EQ(document->spoken->size(), json["keys"].size());
   const auto jaw = rig::find_parameter(document->model->rig->parameters(), "jaw").value();
-  EXPECT_GT(document::sample(*document->timeline, 0.8)[jaw], 0.4) << "open";
-  EXPECT_EQ(document::sample(*document->timeline, 1.04)[jaw], 0) << "closed for m, b, p";
-  EXPECT_GT(document::sample(*document->timeline, 1.25)[jaw], 0.4);
+  EXPECT_GT(document::pose_at(*document, 0.8)[jaw], 0.4) << "open";
+  EXPECT_EQ(document::pose_at(*document, 1.04)[jaw], 0) << "closed for m, b, p";
+  EXPECT_GT(document::pose_at(*document, 1.25)[jaw], 0.4);
 }
 
 TEST_F(MouthsCommand, TakesTheMouthsOfAFileAndOfAProject) {
@@ -43,7 +43,7 @@ TEST_F(MouthsCommand, TakesTheMouthsOfAFileAndOfAProject) {
     const auto document = files::load_document(path(file));
     EXPECT_TRUE(document.ok());
     const auto jaw = rig::find_parameter(document->model->rig->parameters(), "jaw").value();
-    return document::sample(*document->timeline, time_s)[jaw];
+    return document::pose_at(*document, time_s)[jaw];
   };
   EXPECT_EQ(jaw_at("talks.glb", 0.75), 0.75);
   ASSERT_EQ(mouths({path("talks.glb"), path("cues.tsv"), "-o", path("again.glb"), "--fps", "12"}), k_success) << error_;
