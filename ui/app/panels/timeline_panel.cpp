@@ -317,7 +317,7 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
       show_ruler(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
-      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
+      if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
       show_sound_strip(context, sound, playback, shown_moments(with).from, shown_moments(with).span);
       const float left = ImGui::GetContentRegionAvail().y;
       if (left > context.unit && with.shown().part == TimelinePart::sheet) show_dope_sheet(context, with, left);

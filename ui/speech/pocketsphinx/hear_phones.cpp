@@ -1,5 +1,6 @@
 #include "ui/speech/hear_phones.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +18,8 @@ namespace {
 
 constexpr int k_rate_hz = 16000;
 constexpr double k_frame_s = 0.01;
+/// Of full scale; what is never louder is no speech.
+constexpr float k_least_speech = 1e-3F;
 constexpr const char* k_debian_model = "/usr/share/pocketsphinx/model/en-us";
 constexpr std::uint64_t k_most_dictionary_bytes = std::uint64_t{1} << 26;
 
@@ -65,6 +68,8 @@ std::vector<std::int16_t> pcm_of(const sound::Sound& sound) {
   return out;
 }
 
+base::Error nothing_spoken() { return {"nothing is spoken in the sound", "", "give speech alone, without music"}; }
+
 bool is_phoneme(const std::string& name) {
   for (const char* one : k_phonemes) {
     if (name == one) return true;
@@ -94,6 +99,10 @@ base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const st
                                              const std::string& model) {
   if (sound.duration_s() > k_longest_speech_s)
     return base::Error{"the sound is longer than 600 s", "", "cut it into scenes"};
+  // A text can be laid along anything, silence too.
+  const bool silent = std::none_of(sound.samples.begin(), sound.samples.end(),
+                                   [](float sample) { return std::abs(sample) > k_least_speech; });
+  if (silent) return nothing_spoken();
   err_set_logfp(nullptr);
   const std::string folder = model.empty() ? k_debian_model : model;
   const std::string acoustic = folder + "/en-us";
@@ -127,7 +136,7 @@ base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const st
   for (const Phone& phone : phones) spoken += phone.name.empty() ? 0U : 1U;
   if (!text.empty() && spoken < phonemes.size())
     return base::Error{"the sound does not say the text", "", "give exactly what is said, or no text"};
-  if (spoken == 0) return base::Error{"nothing is spoken in the sound", "", "give speech alone, without music"};
+  if (spoken == 0) return nothing_spoken();
   return phones;
 }
 

@@ -72,6 +72,8 @@ TEST(Sheet, RowsAreGroupsByThePartOfTheFaceAndFold) {
   desk.press('t');
   ASSERT_NE(desk.interface->find("group Mouth"), nullptr);
   ASSERT_NE(desk.interface->find("row jaw"), nullptr);
+  EXPECT_NEAR(desk.interface->find("sheet")->left, desk.interface->find("ruler")->left, 1) << "below its frames";
+  EXPECT_LT(desk.interface->find("row jaw")->right, desk.interface->find("sheet")->left);
   EXPECT_EQ(desk.interface->find("row brow_raise_L"), nullptr) << "it rests in every key";
   desk.click("group Mouth");
   EXPECT_EQ(desk.interface->find("row jaw"), nullptr);

@@ -14,7 +14,7 @@ PACKAGECONFIG[window] = "-DPENPOSE_WINDOW=ON,-DPENPOSE_WINDOW=OFF,fontconfig img
 PACKAGECONFIG[gl] = "-DPENPOSE_GL=ON,-DPENPOSE_GL=OFF,libepoxy libsdl2"
 
 # Man pages and completions are written by a program of the board, which the building machine cannot run.
-EXTRA_OECMAKE = "-DPENPOSE_TESTS=OFF -DPENPOSE_WERROR=OFF -DPENPOSE_OPENMESH=OFF -DPENPOSE_PAGES=OFF"
+EXTRA_OECMAKE = "-DPENPOSE_TESTS=OFF -DPENPOSE_WERROR=OFF -DPENPOSE_OPENMESH=OFF -DPENPOSE_PAGES=OFF -DPENPOSE_SOUND=OFF -DPENPOSE_SPEECH=OFF"
 
 USERADD_PACKAGES = "${PN}"
 USERADD_PARAM:${PN} = "--system --create-home --groups video,render,input penpose"
