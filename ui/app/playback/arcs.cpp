@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t k_most_features = 6;
 constexpr int k_most_arc_frames = 600;
 constexpr double k_least_length_px = 6;
+/// Ends of curves are shown that travel so much farther than their middles.
+constexpr double k_ends_share = 1.5;
 
 double length_of(std::span<const PxPoint> places) {
   double length = 0;
@@ -109,13 +111,21 @@ std::vector<ShownArc> arcs_of(const document::Document& document, std::span<cons
   for (int f = first; f <= std::min(last, first + k_most_arc_frames); ++f) moments.push_back(time_of_frame(f, rate));
   if (moments.size() < 2) return arcs;
   const auto triangles = document.model->mesh->triangles();
-  const auto add = [&](const mesh::MeshPoint& point) {
+  /// Its length; none that is shorter than `least_px` is shown.
+  const auto add = [&](const mesh::MeshPoint& point, double least_px) {
     ShownArc arc{point, moments, {}};
     arc.places = document::arc_of(document, posing::at_mesh_point(point, triangles), *camera, moments);
-    if (length_of(arc.places) >= k_least_length_px) arcs.push_back(std::move(arc));
+    const double length = length_of(arc.places);
+    if (length >= least_px) arcs.push_back(std::move(arc));
+    return length;
   };
   for (const auto& curve : document.curves) {
-    if (curve->role == document::PoseCurveRole::reference) add(curve->points[curve->points.size() / 2]);
+    if (curve->role != document::PoseCurveRole::reference) continue;
+    const double middle = add(curve->points[curve->points.size() / 2], k_least_length_px);
+    // The ends of a mouth that smiles travel, and its middle does not.
+    const double least_px = std::max(k_least_length_px, k_ends_share * middle);
+    add(curve->points.front(), least_px);
+    add(curve->points.back(), least_px);
   }
   if (!document.curves.empty()) return arcs;
   for (const portrait::FeatureCurve& curve : features) {
@@ -128,7 +138,7 @@ std::vector<ShownArc> arcs_of(const document::Document& document, std::span<cons
       if (corner == triangles[t].end()) continue;
       mesh::MeshPoint point{t, {0, 0, 0}};
       point.barycentric[static_cast<std::size_t>(corner - triangles[t].begin())] = 1;
-      add(point);
+      add(point, k_least_length_px);
       break;
     }
   }

@@ -13,14 +13,15 @@ namespace penpose::app {
 
 using geometry::PxPoint;
 
-/// The path of the middle of a curve over time, a place a frame.
+/// The path of the middle of a curve, or of one of its ends, over time, a place a frame.
 struct ShownArc {
   mesh::MeshPoint point;
   std::vector<double> moments_s;  ///< on frames
   std::vector<PxPoint> places;    ///< px of the view, one a moment
 };
 
-/// The arcs of the curves that were drawn; of a document without any, of those features that move farthest.
+/// The arcs of the curves that were drawn, of their ends where those travel farther; of a document without any, of
+/// those features that move farthest.
 [[nodiscard]] std::vector<ShownArc> arcs_of(const document::Document& document,
                                             std::span<const portrait::FeatureCurve> features,
                                             const document::View& view, int rate);
