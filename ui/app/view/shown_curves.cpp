@@ -340,7 +340,6 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
                                        const CurveLook& look) {
   std::vector<CurveDrawing> out;
   if (look.onion_skin && editing.moments().any()) add_onion_skins(out, editing, look);
-  add_arcs(out, look.arcs, look.time_s, look.scale);
   if (editing.editor().tool().kind == drawing::ToolKind::articulate) {
     add_outline(out, editing, look);
     add_sketch(out, editing, look);
@@ -359,6 +358,7 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
       drawing.points_px = document::rescaled(drawing.points_px, drawn_in, look.window);
     }
   }
+  add_arcs(out, look.arcs, look.time_s, look.scale);
   return out;
 }
 
