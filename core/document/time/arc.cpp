@@ -11,7 +11,7 @@
 namespace penpose::document {
 namespace {
 
-constexpr double k_tolerance_px = 0.5;
+constexpr double k_tolerance_px = 0.7;
 /// What a control costs that does not move in these moments, beside one that does.
 constexpr double k_other_cost = 30;
 /// A difference of a control, as a share of its range.
@@ -155,6 +155,23 @@ PxPoint along(std::span<const PxPoint> line, double share) {
   return line.back();
 }
 
+/// The timeline with the keys of a fit.
+Timeline keyed(const Document& document, const KeyFit& fit, std::span<const double> moments,
+               std::span<const std::size_t> changed) {
+  const auto parameters = document.model->rig->parameters();
+  TimelineEditing keys(*document.timeline, parameters, document.pose);
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    keys.open_span(changed[c], moments.front(), moments.back());
+    const rig::Parameter& range = parameters[changed[c]];
+    for (const std::size_t k : fit.keys()) {
+      const auto [value, slope] = fit.at(c, k);
+      keys.bend(moments[k], changed[c], std::clamp(value, range.minimum, range.maximum), slope, k > 0,
+                k + 1 < moments.size());
+    }
+  }
+  return std::move(keys).finish();
+}
+
 }  // namespace
 
 ArcView::ArcView(const Document& document, const posing::CurvePoint& point, const geometry::Camera& camera)
@@ -231,17 +248,21 @@ base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoi
     const auto meant = view.at(poses[f]);
     return at && meant ? geometry::distance(*at, *meant) : 0;
   });
-  TimelineEditing keys(*document.timeline, document.model->rig->parameters(), document.pose);
-  for (std::size_t c = 0; c < changed.size(); ++c) {
-    keys.open_span(changed[c], moments.front(), moments.back());
-    for (const std::size_t k : fit.keys()) {
-      const auto [value, slope] = fit.at(c, k);
-      const rig::Parameter& range = document.model->rig->parameters()[changed[c]];
-      keys.bend(moments[k], changed[c], std::clamp(value, range.minimum, range.maximum), slope, k > 0,
-                k + 1 < moments.size());
+  // Ranges cut slopes: what the timeline makes of the fit is what counts.
+  for (;;) {
+    Timeline timeline = keyed(document, fit, moments, changed);
+    std::size_t worst = 0;
+    double most = k_tolerance_px;
+    for (std::size_t f = 0; f < moments.size(); ++f) {
+      const auto at = view.at(sample(timeline, moments[f], document.pose));
+      const auto meant = view.at(poses[f]);
+      const double off = at && meant ? geometry::distance(*at, *meant) : 0;
+      if (!(off > most)) continue;
+      most = off;
+      worst = f;
     }
+    if (!(most > k_tolerance_px) || !fit.add(worst)) return timeline;
   }
-  return std::move(keys).finish();
 }
 
 }  // namespace penpose::document

@@ -45,7 +45,7 @@ struct ArcTarget {
 
 /// The timeline with an arc as it should be: at each moment the controls that move the point change as little as they
 /// can, those that move in these moments anyway before others, within their ranges; what comes of it is fitted by as
-/// few keys as keep it within half a px. Outside of the moments nothing changes. Controls that are locked stay. Errors:
+/// few keys as keep it within 0.7 px. Outside of the moments nothing changes. Controls that are locked stay. Errors:
 /// the point is behind the eye, or nothing that is free moves it.
 [[nodiscard]] base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoint& point,
                                               const geometry::Camera& camera, const ArcTarget& target);

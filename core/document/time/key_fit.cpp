@@ -101,15 +101,21 @@ void KeyFit::refine(double tolerance, const std::function<double(const rig::Pose
       worst = f;
     }
     if (!(most > tolerance)) return;
-    // Between the two keys, in the middle of what is off, rather than at its end.
-    const std::size_t k = segment_of(worst);
-    std::size_t place = worst;
-    if (std::binary_search(keys_.begin(), keys_.end(), place) || place - keys_[k] < 1 || keys_[k + 1] - place < 1)
-      place = (keys_[k] + keys_[k + 1]) / 2;
-    if (std::binary_search(keys_.begin(), keys_.end(), place)) return;
-    keys_.insert(std::upper_bound(keys_.begin(), keys_.end(), place), place);
-    fit();
+    if (!add(worst)) return;
   }
+}
+
+bool KeyFit::add(std::size_t pose) {
+  const auto is_key = [&](std::size_t one) { return std::binary_search(keys_.begin(), keys_.end(), one); };
+  const std::size_t k = segment_of(pose);
+  std::size_t place = pose;
+  // A key that is off needs another one beside it.
+  if (is_key(place)) place = (keys_[k] + keys_[k + 1]) / 2;
+  if (is_key(place) && k > 0) place = (keys_[k - 1] + keys_[k]) / 2;
+  if (is_key(place)) return false;
+  keys_.insert(std::upper_bound(keys_.begin(), keys_.end(), place), place);
+  fit();
+  return true;
 }
 
 std::pair<double, double> KeyFit::at(std::size_t control, std::size_t pose) const {

@@ -20,6 +20,9 @@ class KeyFit {
   /// by how much pose f is off.
   void refine(double tolerance, const std::function<double(const rig::Pose& fitted, std::size_t f)>& error);
 
+  /// Adds a key at a pose that is off, or between the keys around it where it is one. False: every pose there is a key.
+  bool add(std::size_t pose);
+
   /// The poses that are keys, by number, ascending.
   [[nodiscard]] const std::vector<std::size_t>& keys() const { return keys_; }
   /// Value and slope (a second) of the control of that number in the list at a key, by the number of its pose.
