@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/mesh/triangle_mesh.h"
@@ -19,5 +20,8 @@ struct MeshPoint {
 /// Where the point is when the vertices are at `positions`. Precondition: the triangle exists.
 [[nodiscard]] ModelPoint position_of(const MeshPoint& point, std::span<const Triangle> triangles,
                                      std::span<const ModelPoint> positions);
+
+/// A vertex as a point of a triangle that has it. Nothing: none has.
+[[nodiscard]] std::optional<MeshPoint> mesh_point_at(std::uint32_t vertex, std::span<const Triangle> triangles);
 
 }  // namespace penpose::mesh

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "core/curve/distance.h"
+#include "core/curve/polyline.h"
 #include "core/document/commands/apply.h"
 #include "core/document/features/feature_curves.h"
 #include "core/document/time/arc.h"
@@ -34,21 +36,6 @@ struct Row {
   std::vector<double> off_px, spacing_frames, key_share, rougher, ms;
   int clips = 0;
 };
-
-double length_of(std::span<const PxPoint> places) {
-  double length = 0;
-  for (std::size_t i = 1; i < places.size(); ++i) length += geometry::distance(places[i - 1], places[i]);
-  return length;
-}
-
-double distance_to_line(const PxPoint& at, std::span<const PxPoint> line) {
-  double least = 1e300;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double u = geometry::nearest_share(at, line[i - 1], line[i]);
-    least = std::min(least, geometry::distance(at, line[i - 1] + (line[i] - line[i - 1]) * u));
-  }
-  return least;
-}
 
 double roughness(std::span<const PxPoint> places) {
   double sum = 0;
@@ -89,18 +76,9 @@ class Clip {
   void measure(std::span<const portrait::FeatureCurve> features, const geometry::Camera& camera,
                const document::View& view, Row& row) {
     const auto& feature = features[static_cast<std::size_t>(random_(0, static_cast<double>(features.size()) - 0.01))];
-    const posing::CurvePoint& middle = feature.points[feature.points.size() / 2];
     const auto triangles = document_.model->mesh->triangles();
-    const auto most = std::max_element(middle.weight.begin(), middle.weight.end()) - middle.weight.begin();
-    mesh::MeshPoint point{};
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      const auto corner =
-          std::find(triangles[t].begin(), triangles[t].end(), middle.vertex[static_cast<std::size_t>(most)]);
-      if (corner == triangles[t].end()) continue;
-      point = {t, {0, 0, 0}};
-      point.barycentric[static_cast<std::size_t>(corner - triangles[t].begin())] = 1;
-      break;
-    }
+    const std::uint32_t vertex = portrait::nearest_vertex(feature.points[feature.points.size() / 2]);
+    const mesh::MeshPoint point = mesh::mesh_point_at(vertex, triangles).value();
     const auto& keys = document_.timeline->keys;
     const double from_s = keys.front().time_s;
     const double to_s = keys.back().time_s;
@@ -108,8 +86,8 @@ class Clip {
     for (int f = 0; f <= static_cast<int>(std::lround((to_s - from_s) * k_rate)); ++f)
       moments.push_back(from_s + static_cast<double>(f) / k_rate);
     const posing::CurvePoint at = posing::at_mesh_point(point, triangles);
-    const auto before = document::arc_of(document_, at, camera, moments);
-    const double travels = length_of(before);
+    const auto before = document::arc_of(document_, at, camera, document::poses_of_timeline(document_, moments));
+    const double travels = curve::arc_length(std::span<const PxPoint>(before));
     if (travels < 15) return;
     ++row.clips;
     // The path that the rig can take and the clip does not: controls that move the point go aside by a smooth bow.
@@ -142,11 +120,11 @@ class Clip {
       std::printf("%s\n", changed.error().line().c_str());
       return;
     }
-    const auto after = document::arc_of(*changed, at, camera, moments);
+    const auto after = document::arc_of(*changed, at, camera, document::poses_of_timeline(*changed, moments));
     double off = 0;
     double frames = 0;
     for (std::size_t f = 0; f < after.size(); ++f) {
-      off = std::max(off, distance_to_line(after[f], wanted));
+      off = std::max(off, curve::distance_to(wanted, after[f]));
       // How far along the path it is from its place, by how far the path goes in a frame.
       const PxPoint along = wanted[std::min(f + 1, wanted.size() - 1)] - wanted[f > 0 ? f - 1 : 0];
       const double both = std::sqrt(geometry::dot(along, along));

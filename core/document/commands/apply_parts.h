@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/articulation/region/canvas.h"
@@ -55,6 +56,12 @@ using Parts = ApplyParts;
 
 /// The error with a member of the command as its place.
 [[nodiscard]] base::Error at(const char* member, base::Error error);
+
+/// The numbers of parameters, by name. Errors (place: the member, "names"): the model has none of that name.
+[[nodiscard]] base::Result<std::size_t> number_of(const Document& document, const std::string& name,
+                                                  const char* member);
+[[nodiscard]] base::Result<std::vector<std::size_t>> numbers_of(const Document& document,
+                                                                const std::vector<std::string>& names);
 
 /// Errors: the value is none of the parameter's.
 [[nodiscard]] std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/algebra/cholesky.h"
+#include "core/curve/polyline.h"
 #include "core/document/time/key_fit.h"
 #include "core/document/time/timeline_editing.h"
 
@@ -28,19 +29,19 @@ struct FreeControl {
   double cost = 1;
 };
 
-std::vector<FreeControl> free_controls(const Document& document, const ArcView& view, std::span<const double> moments) {
+/// `starts`: the poses of all frames.
+std::vector<FreeControl> free_controls(const Document& document, const ArcView& view,
+                                       std::span<const rig::Pose> starts) {
   const auto parameters = document.model->rig->parameters();
-  const Timeline& timeline = *document.timeline;
   std::vector<FreeControl> free;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double range = parameters[i].maximum - parameters[i].minimum;
     const bool locked =
         std::find(document.locked.begin(), document.locked.end(), parameters[i].name) != document.locked.end();
     if (!view.moves(i) || locked || !(range > 0)) continue;
-    const auto first = sample(timeline, i, moments.front());
-    const bool varies = first && std::any_of(moments.begin(), moments.end(), [&](double time_s) {
-                          return std::abs(*sample(timeline, i, time_s) - *first) > k_least_change_share * range;
-                        });
+    const bool varies = std::any_of(starts.begin(), starts.end(), [&](const rig::Pose& pose) {
+      return std::abs(pose[i] - starts.front()[i]) > k_least_change_share * range;
+    });
     free.push_back({i, range, varies ? 1 : k_other_cost});
   }
   return free;
@@ -71,6 +72,7 @@ class FrameSolver {
   bool step(const rig::Pose& start, rig::Pose& pose, const PxPoint& now, const PxPoint& away) const {
     std::vector<PxPoint> effects(free_.size());
     std::vector<bool> held(free_.size(), false);
+    rig::Pose ends;  // with the controls that are held
     PxPoint wanted = away;
     bool any = false;
     for (std::size_t k = 0; k < free_.size(); ++k) {
@@ -82,7 +84,7 @@ class FrameSolver {
     if (!any) return false;
     // Controls that would leave their ranges are held at their ends, and the others found anew.
     for (std::size_t holds = 0; holds <= free_.size(); ++holds) {
-      const auto shift = multiplier(effects, held, start, wanted);
+      const auto shift = multiplier(effects, held, start, ends, wanted);
       bool held_more = false;
       for (std::size_t k = 0; k < free_.size(); ++k) {
         if (held[k]) continue;
@@ -93,7 +95,7 @@ class FrameSolver {
         if (pose[p] != value) held[k] = held_more = true;
       }
       if (!held_more) break;
-      ends_ = pose;
+      ends = pose;
     }
     return true;
   }
@@ -109,13 +111,13 @@ class FrameSolver {
 
   /// y of (J W^-1 J') y = what is left of the way.
   PxPoint multiplier(std::span<const PxPoint> effects, const std::vector<bool>& held, const rig::Pose& start,
-                     const PxPoint& wanted) const {
+                     const rig::Pose& ends, const PxPoint& wanted) const {
     std::array<double, 4> matrix{};
     PxPoint left = wanted;
     for (std::size_t k = 0; k < free_.size(); ++k) {
       const PxPoint& e = effects[k];
       if (held[k]) {
-        left = left - e * ((ends_[free_[k].parameter] - start[free_[k].parameter]) / free_[k].range);
+        left = left - e * ((ends[free_[k].parameter] - start[free_[k].parameter]) / free_[k].range);
         continue;
       }
       matrix[0] += e.x * e.x / free_[k].cost;
@@ -135,25 +137,7 @@ class FrameSolver {
   std::span<const rig::Parameter> parameters_;
   const ArcView& view_;
   std::vector<FreeControl> free_;
-  mutable rig::Pose ends_;
 };
-
-double length_of(std::span<const PxPoint> line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += geometry::distance(line[i - 1], line[i]);
-  return length;
-}
-
-/// The point at a share of the length of a line.
-PxPoint along(std::span<const PxPoint> line, double share) {
-  double left = share * length_of(line);
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double step = geometry::distance(line[i - 1], line[i]);
-    if (left <= step && step > 0) return line[i - 1] + (line[i] - line[i - 1]) * (left / step);
-    left -= step;
-  }
-  return line.back();
-}
 
 /// The timeline with the keys of a fit.
 Timeline keyed(const Document& document, const KeyFit& fit, std::span<const double> moments,
@@ -185,12 +169,18 @@ std::optional<PxPoint> ArcView::at(std::span<const double> pose) const {
   return camera_.project(place);
 }
 
+std::vector<rig::Pose> poses_of_timeline(const Document& document, std::span<const double> moments_s) {
+  std::vector<rig::Pose> poses;
+  for (const double time_s : moments_s) poses.push_back(pose_at(document, time_s));
+  return poses;
+}
+
 std::vector<PxPoint> arc_of(const Document& document, const posing::CurvePoint& point, const geometry::Camera& camera,
-                            std::span<const double> moments_s) {
+                            std::span<const rig::Pose> poses) {
   const ArcView view(document, point, camera);
   std::vector<PxPoint> arc;
-  for (const double time_s : moments_s) {
-    const auto at = view.at(pose_at(document, time_s));
+  for (const rig::Pose& pose : poses) {
+    const auto at = view.at(pose);
     arc.push_back(at ? *at : arc.empty() ? PxPoint{0, 0} : arc.back());
   }
   return arc;
@@ -199,13 +189,17 @@ std::vector<PxPoint> arc_of(const Document& document, const posing::CurvePoint& 
 ArcTarget target_along(std::span<const PxPoint> line, std::span<const double> shares, std::span<const double> moments_s,
                        std::span<const PxPoint> now) {
   ArcTarget target{{moments_s.begin(), moments_s.end()}, {}};
-  const double whole = length_of(now);
-  double passed = 0;
+  const std::vector<double> lengths = curve::cumulative_length(line);
+  const std::vector<double> passed = curve::cumulative_length(now);
+  const auto along = [&](double share) {
+    if (!(lengths.back() > 0)) return line.front();
+    const curve::PolylinePlace place = curve::place_at(lengths, std::clamp(share, 0.0, 1.0));
+    return line[place.segment] + (line[place.segment + 1] - line[place.segment]) * place.fraction;
+  };
   for (std::size_t f = 0; f < moments_s.size(); ++f) {
     const double share_of_time = (moments_s[f] - moments_s.front()) / (moments_s.back() - moments_s.front());
     if (shares.empty()) {
-      if (f > 0) passed += geometry::distance(now[f - 1], now[f]);
-      target.points.push_back(along(line, whole > 0 ? passed / whole : share_of_time));
+      target.points.push_back(along(passed.back() > 0 ? passed[f] / passed.back() : share_of_time));
       continue;
     }
     const auto after = std::lower_bound(shares.begin(), shares.end(), share_of_time);
@@ -225,44 +219,35 @@ base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoi
                                 const geometry::Camera& camera, const ArcTarget& target) {
   const ArcView view(document, point, camera);
   const std::span<const double> moments = target.moments_s;
-  const FrameSolver solver(document, view, free_controls(document, view, moments));
+  const std::vector<rig::Pose> starts = poses_of_timeline(document, moments);
+  const FrameSolver solver(document, view, free_controls(document, view, starts));
   if (solver.free().empty()) return base::Error{"no control that is free moves this point", "point", "unlock one"};
-  std::vector<rig::Pose> poses;
+  std::vector<rig::Pose> poses = starts;
   for (std::size_t f = 0; f < moments.size(); ++f) {
-    poses.push_back(pose_at(document, moments[f]));
-    if (const auto solved = solver.solve(poses.back(), target.points[f]); !solved) return solved.error();
+    if (const auto solved = solver.solve(poses[f], target.points[f]); !solved) return solved.error();
   }
   std::vector<std::size_t> changed;
   for (const FreeControl& control : solver.free()) {
-    const bool any = std::any_of(moments.begin(), moments.end(), [&](const double& moment) {
-      const auto f = static_cast<std::size_t>(&moment - moments.data());
-      return std::abs(poses[f][control.parameter] - pose_at(document, moment)[control.parameter]) >
-             k_least_change_share * control.range;
-    });
+    bool any = false;
+    for (std::size_t f = 0; f < moments.size() && !any; ++f)
+      any = std::abs(poses[f][control.parameter] - starts[f][control.parameter]) > k_least_change_share * control.range;
     if (any) changed.push_back(control.parameter);
   }
   if (changed.empty()) return *document.timeline;
   KeyFit fit(moments, poses, changed);
-  fit.refine(k_tolerance_px, [&](const rig::Pose& fitted, std::size_t f) {
-    const auto at = view.at(fitted);
-    const auto meant = view.at(poses[f]);
-    return at && meant ? geometry::distance(*at, *meant) : 0;
-  });
+  Timeline timeline;
   // Ranges cut slopes: what the timeline makes of the fit is what counts.
-  for (;;) {
-    Timeline timeline = keyed(document, fit, moments, changed);
-    std::size_t worst = 0;
-    double most = k_tolerance_px;
+  fit.refine(k_tolerance_px, [&] {
+    timeline = keyed(document, fit, moments, changed);
+    std::vector<double> off;
     for (std::size_t f = 0; f < moments.size(); ++f) {
       const auto at = view.at(sample(timeline, moments[f], document.pose));
       const auto meant = view.at(poses[f]);
-      const double off = at && meant ? geometry::distance(*at, *meant) : 0;
-      if (!(off > most)) continue;
-      most = off;
-      worst = f;
+      off.push_back(at && meant ? geometry::distance(*at, *meant) : 0);
     }
-    if (!(most > k_tolerance_px) || !fit.add(worst)) return timeline;
-  }
+    return off;
+  });
+  return timeline;
 }
 
 }  // namespace penpose::document

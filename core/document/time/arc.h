@@ -29,9 +29,11 @@ class ArcView {
   std::unique_ptr<rig::BoundVertices> bound_;
 };
 
-/// A point of the model at moments of the timeline, px.
+/// The poses of the timeline at moments (pose_at).
+[[nodiscard]] std::vector<rig::Pose> poses_of_timeline(const Document& document, std::span<const double> moments_s);
+/// A point of the model in poses, px.
 [[nodiscard]] std::vector<PxPoint> arc_of(const Document& document, const posing::CurvePoint& point,
-                                          const geometry::Camera& camera, std::span<const double> moments_s);
+                                          const geometry::Camera& camera, std::span<const rig::Pose> poses);
 
 /// Where the point should be, one place a frame.
 struct ArcTarget {

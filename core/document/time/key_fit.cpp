@@ -89,19 +89,11 @@ rig::Pose KeyFit::fitted(std::size_t pose) const {
   return out;
 }
 
-void KeyFit::refine(double tolerance, const std::function<double(const rig::Pose& fitted, std::size_t f)>& error) {
-  while (keys_.size() < poses_.size()) {
-    std::size_t worst = 0;
-    double most = tolerance;
-    for (std::size_t f = 0; f < poses_.size(); ++f) {
-      if (std::binary_search(keys_.begin(), keys_.end(), f) && keys_.size() * 2 < poses_.size()) continue;
-      const double off = error(fitted(f), f);
-      if (!(off > most)) continue;
-      most = off;
-      worst = f;
-    }
-    if (!(most > tolerance)) return;
-    if (!add(worst)) return;
+void KeyFit::refine(double tolerance, const std::function<std::vector<double>()>& errors) {
+  for (;;) {
+    const std::vector<double> off = errors();
+    const auto worst = std::max_element(off.begin(), off.end());
+    if (!(*worst > tolerance) || !add(static_cast<std::size_t>(worst - off.begin()))) return;
   }
 }
 

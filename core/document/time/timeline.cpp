@@ -71,6 +71,12 @@ std::vector<ControlKey> ControlKeys::list(std::size_t parameters) const {
   return keys_ ? *keys_ : std::vector<ControlKey>(parameters);
 }
 
+std::size_t first_from(const Timeline& timeline, double time_s) {
+  const auto key = std::lower_bound(timeline.keys.begin(), timeline.keys.end(), time_s,
+                                    [](const PoseKey& one, double time) { return one.time_s < time; });
+  return static_cast<std::size_t>(key - timeline.keys.begin());
+}
+
 double value_at(const KeySegment& segment, double time_s) {
   if (segment.kind == KeyKind::stepped) return time_s < segment.to_s ? segment.from : segment.to;
   const double u = share_at(segment, time_s);
@@ -179,9 +185,9 @@ std::optional<double> sampled(const Timeline& timeline, std::size_t parameter, s
 
 /// The last key of the list at or before a moment; the first, where it is later.
 std::size_t place_of(const Timeline& timeline, double time_s) {
-  const auto after = std::upper_bound(timeline.keys.begin(), timeline.keys.end(), time_s,
-                                      [](double time, const PoseKey& key) { return time < key.time_s; });
-  return after == timeline.keys.begin() ? 0 : static_cast<std::size_t>(after - timeline.keys.begin()) - 1;
+  const std::size_t place = first_from(timeline, time_s);
+  const bool at_key = place < timeline.keys.size() && timeline.keys[place].time_s == time_s;
+  return at_key || place == 0 ? place : place - 1;
 }
 
 /// Before the first key of the list, or no later than it, the first key of a control is what holds.

@@ -100,6 +100,9 @@ struct Timeline {
 /// The latest time of a key, seconds.
 inline constexpr double k_latest_key_s = 36000;
 
+/// The place in the list of the first key at or after a moment; their number, where there is none.
+[[nodiscard]] std::size_t first_from(const Timeline& timeline, double time_s);
+
 /// The cubic between two keys of one control.
 struct KeySegment {
   double from_s = 0, to_s = 0;

@@ -64,10 +64,9 @@ void settle_control(Timeline& timeline, std::size_t parameter, const rig::Parame
 }  // namespace
 
 std::optional<std::size_t> key_at(const Timeline& timeline, double time_s) {
-  const auto key = std::lower_bound(timeline.keys.begin(), timeline.keys.end(), time_s,
-                                    [](const PoseKey& one, double time) { return one.time_s < time; });
-  if (key == timeline.keys.end() || key->time_s != time_s) return std::nullopt;
-  return static_cast<std::size_t>(key - timeline.keys.begin());
+  const std::size_t place = first_from(timeline, time_s);
+  if (place == timeline.keys.size() || timeline.keys[place].time_s != time_s) return std::nullopt;
+  return place;
 }
 
 Timeline settled(Timeline timeline, std::span<const rig::Parameter> parameters) {
@@ -126,9 +125,7 @@ void TimelineEditing::open_span(std::size_t parameter, double from_s, double to_
     KeySegment segment;
   };
   const auto cut_at = [&](double time_s) -> std::optional<Cut> {
-    const auto after_it = std::upper_bound(before_.keys.begin(), before_.keys.end(), time_s,
-                                           [](double time, const PoseKey& key) { return time < key.time_s; });
-    const auto place = static_cast<std::size_t>(after_it - before_.keys.begin());
+    const std::size_t place = first_from(before_, time_s);
     const auto before = place > 0 ? key_before(before_, parameter, place - 1) : std::nullopt;
     const auto after = key_after(before_, parameter, place);
     if (!before || !after) return std::nullopt;

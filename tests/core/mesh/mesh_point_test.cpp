@@ -22,5 +22,13 @@ TEST(MeshPoint, AtACornerItIsTheVertexItself) {
   EXPECT_EQ(position_of({0, {0, 1, 0}}, triangles, positions), positions[0]);
 }
 
+TEST(MeshPoint, OfAVertexIsThatVertex) {
+  const std::vector<Triangle> triangles{{0, 1, 2}, {2, 1, 3}};
+  const std::vector<ModelPoint> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 5}};
+  for (std::uint32_t v = 0; v < 4; ++v)
+    EXPECT_EQ(position_of(mesh_point_at(v, triangles).value(), triangles, positions), positions[v]);
+  EXPECT_FALSE(mesh_point_at(9, triangles));
+}
+
 }  // namespace
 }  // namespace penpose::mesh

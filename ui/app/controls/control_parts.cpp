@@ -9,7 +9,7 @@
 namespace penpose::app {
 namespace {
 
-/// A control that moves a feature by less than this share of what it moves its own feature by says nothing.
+/// Model units, over all points of a part: a control that moves less of the features says nothing.
 constexpr double k_least_move = 1e-6;
 
 std::optional<FacePart> part_of_feature(std::string_view name) {
@@ -32,15 +32,14 @@ FeatureVertices vertices_of(std::span<const portrait::FeatureCurve> features) {
     const auto part = part_of_feature(curve.name);
     if (!part) continue;
     for (const posing::CurvePoint& point : curve.points) {
-      const auto most = std::max_element(point.weight.begin(), point.weight.end()) - point.weight.begin();
-      all.vertices.push_back(point.vertex[static_cast<std::size_t>(most)]);
+      all.vertices.push_back(portrait::nearest_vertex(point));
       all.parts.push_back(*part);
     }
   }
   return all;
 }
 
-/// The part whose points move farthest at the median of those that move at all; nothing: none moves.
+/// The part whose points move farthest, all together; `all`: none moves.
 FacePart part_of_moves(const FeatureVertices& features, std::span<const geometry::ModelPoint> rest,
                        std::span<const geometry::ModelPoint> moved) {
   std::array<double, 4> sums{};

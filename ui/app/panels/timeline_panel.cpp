@@ -129,16 +129,16 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
   const float middle = strip.from.y + 0.5F * strip.size.y;
   const float half = 0.24F * context.unit;
   show_cursor(strip, with);
+  KeyRow row(strip, middle, half);
   for (std::size_t i = 0; i < held->keys.size(); ++i) {
     const auto& key = held->keys[i];
     const auto& drag = with.shown().key_drag;
     const bool dragged = drag && drag->first == key.time_s;
     const float x = strip.x_of(dragged ? drag->second : key.time_s);
     const bool here = std::abs(key.time_s - with.playback.time_s()) < 1e-9;
-    list.AddQuadFilled({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
-                       dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255));
-    list.AddQuad({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
-                 IM_COL32(60, 40, 0, 255), here ? 2.5F : 1);
+    // Those of some controls alone are smaller than whole poses.
+    row.add(x, key.controls.whole() ? half : 0.7F * half,
+            dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255), here);
     // Its name, as far as there is room up to the next key.
     const float room = i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - 4 : 1e6F;
     if (key.name.empty() || room < half) continue;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/distance.h"
+#include "core/curve/polyline.h"
 #include "core/document/time/arc.h"
 #include "ui/app/playback/frames.h"
 
@@ -15,12 +17,8 @@ constexpr int k_most_arc_frames = 600;
 constexpr double k_least_length_px = 6;
 /// Ends of curves are shown that travel so much farther than their middles.
 constexpr double k_ends_share = 1.5;
-
-double length_of(std::span<const PxPoint> places) {
-  double length = 0;
-  for (std::size_t i = 1; i < places.size(); ++i) length += geometry::distance(places[i - 1], places[i]);
-  return length;
-}
+/// A stroke that stays so near to an arc pulls a frame along it: a share of what still is on it.
+constexpr double k_on_arc_share = 0.6;
 
 /// The frame of an arc nearest to a place.
 struct NearFrame {
@@ -34,16 +32,6 @@ NearFrame nearest_frame(const ShownArc& arc, const PxPoint& at) {
     if (px < near.px) near = {f, px};
   }
   return near;
-}
-
-double distance_to(const ShownArc& arc, const PxPoint& at) {
-  double least = geometry::distance(arc.places.front(), at);
-  for (std::size_t f = 1; f < arc.places.size(); ++f) {
-    const double u = geometry::nearest_share(at, arc.places[f - 1], arc.places[f]);
-    const PxPoint on = arc.places[f - 1] + (arc.places[f] - arc.places[f - 1]) * u;
-    least = std::min(least, geometry::distance(on, at));
-  }
-  return least;
 }
 
 /// Where an arc is between two of its frames.
@@ -111,11 +99,12 @@ std::vector<ShownArc> arcs_of(const document::Document& document, std::span<cons
   for (int f = first; f <= std::min(last, first + k_most_arc_frames); ++f) moments.push_back(time_of_frame(f, rate));
   if (moments.size() < 2) return arcs;
   const auto triangles = document.model->mesh->triangles();
+  const auto poses = document::poses_of_timeline(document, moments);
   /// Its length; none that is shorter than `least_px` is shown.
   const auto add = [&](const mesh::MeshPoint& point, double least_px) {
     ShownArc arc{point, moments, {}};
-    arc.places = document::arc_of(document, posing::at_mesh_point(point, triangles), *camera, moments);
-    const double length = length_of(arc.places);
+    arc.places = document::arc_of(document, posing::at_mesh_point(point, triangles), *camera, poses);
+    const double length = curve::arc_length(std::span<const PxPoint>(arc.places));
     if (length >= least_px) arcs.push_back(std::move(arc));
     return length;
   };
@@ -129,21 +118,13 @@ std::vector<ShownArc> arcs_of(const document::Document& document, std::span<cons
   }
   if (!document.curves.empty()) return arcs;
   for (const portrait::FeatureCurve& curve : features) {
-    // The corner of a triangle that bears most of the middle.
-    const posing::CurvePoint& middle = curve.points[curve.points.size() / 2];
-    const auto most = std::max_element(middle.weight.begin(), middle.weight.end()) - middle.weight.begin();
-    const std::uint32_t vertex = middle.vertex[static_cast<std::size_t>(most)];
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      const auto corner = std::find(triangles[t].begin(), triangles[t].end(), vertex);
-      if (corner == triangles[t].end()) continue;
-      mesh::MeshPoint point{t, {0, 0, 0}};
-      point.barycentric[static_cast<std::size_t>(corner - triangles[t].begin())] = 1;
-      add(point, k_least_length_px);
-      break;
-    }
+    const std::uint32_t vertex = portrait::nearest_vertex(curve.points[curve.points.size() / 2]);
+    if (const auto point = mesh::mesh_point_at(vertex, triangles)) add(*point, k_least_length_px);
   }
-  std::stable_sort(arcs.begin(), arcs.end(),
-                   [](const ShownArc& a, const ShownArc& b) { return length_of(a.places) > length_of(b.places); });
+  std::stable_sort(arcs.begin(), arcs.end(), [](const ShownArc& a, const ShownArc& b) {
+    return curve::arc_length(std::span<const PxPoint>(a.places)) >
+           curve::arc_length(std::span<const PxPoint>(b.places));
+  });
   if (arcs.size() > k_most_features) arcs.resize(k_most_features);
   return arcs;
 }
@@ -163,8 +144,9 @@ std::optional<document::RedrawArc> arc_meant(const document::Document& document,
   if (arc == nullptr) return std::nullopt;
   const NearFrame end = nearest_frame(*arc, line.back());
   if (end.px > within_px || end.frame == begin.frame) return std::nullopt;
-  const bool stays = std::all_of(line.begin(), line.end(),
-                                 [&](const PxPoint& at) { return distance_to(*arc, at) <= 0.6 * within_px; });
+  const bool stays = std::all_of(line.begin(), line.end(), [&](const PxPoint& at) {
+    return curve::distance_to(arc->places, at) <= k_on_arc_share * within_px;
+  });
   std::optional<document::RedrawArc> command;
   if (stays) {
     command = pulled(document, *arc, begin.frame, end.frame);

@@ -45,7 +45,7 @@ Changed run(const Document& document, const RedrawArc& command, Parts&) {
   for (std::size_t i = 0; i < steps; ++i) moments.push_back(command.from_s + static_cast<double>(i) / command.rate);
   moments.push_back(command.to_s);
   const posing::CurvePoint point = posing::at_mesh_point(command.point, triangles);
-  const auto now = arc_of(document, point, *camera, moments);
+  const auto now = arc_of(document, point, *camera, poses_of_timeline(document, moments));
   auto timeline = with_arc(document, point, *camera, target_along(command.line, command.shares, moments, now));
   if (!timeline) return timeline.error();
   Document changed = document;

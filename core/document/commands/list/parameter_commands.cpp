@@ -8,22 +8,22 @@
 #include "core/document/suggestion.h"
 
 namespace penpose::document {
-namespace {
-
-/// The numbers of the parameters of those names.
-base::Result<std::vector<std::size_t>> find_all(const Document& document, const std::vector<std::string>& names) {
-  std::vector<std::size_t> found;
-  for (const std::string& name : names) {
-    const auto number = rig::find_parameter(document.model->rig->parameters(), name);
-    if (!number) {
-      return base::Error{"the model has no parameter \"" + name + "\"", "names", "look at the names in the model"};
-    }
-    found.push_back(*number);
-  }
-  return found;
+base::Result<std::size_t> number_of(const Document& document, const std::string& name, const char* member) {
+  const auto number = rig::find_parameter(document.model->rig->parameters(), name);
+  if (!number)
+    return base::Error{"the model has no parameter \"" + name + "\"", member, "look at the names in the model"};
+  return *number;
 }
 
-}  // namespace
+base::Result<std::vector<std::size_t>> numbers_of(const Document& document, const std::vector<std::string>& names) {
+  std::vector<std::size_t> numbers;
+  for (const std::string& name : names) {
+    const auto number = number_of(document, name, "names");
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
 
 std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value) {
   if (value >= parameter.minimum && value <= parameter.maximum) return std::nullopt;
@@ -36,10 +36,8 @@ Changed run(const Document& document, const SetParameters& command, Parts&) {
   Document changed = document;
   const auto parameters = document.model->rig->parameters();
   for (const auto& [name, value] : command.values) {
-    const auto number = rig::find_parameter(parameters, name);
-    if (!number) {
-      return base::Error{"the model has no parameter \"" + name + "\"", "values", "look at the names in the model"};
-    }
+    const auto number = number_of(document, name, "values");
+    if (!number) return number.error();
     if (auto error = out_of_range(parameters[*number], value)) return *error;
     changed.pose[*number] = value;
   }
@@ -47,7 +45,7 @@ Changed run(const Document& document, const SetParameters& command, Parts&) {
 }
 
 Changed run(const Document& document, const ResetParameters& command, Parts&) {
-  const auto found = find_all(document, command.names);
+  const auto found = numbers_of(document, command.names);
   if (!found) return found.error();
   Document changed = document;
   const auto parameters = document.model->rig->parameters();
@@ -57,7 +55,7 @@ Changed run(const Document& document, const ResetParameters& command, Parts&) {
 }
 
 Changed run(const Document& document, const LockParameters& command, Parts&) {
-  if (const auto found = find_all(document, command.names); !found) return found.error();
+  if (const auto found = numbers_of(document, command.names); !found) return found.error();
   Document changed = document;
   for (const std::string& name : command.names) {
     const auto place = std::lower_bound(changed.locked.begin(), changed.locked.end(), name);

@@ -6,6 +6,7 @@
 
 #include "core/document/commands/apply_parts.h"
 #include "core/document/commands/list/time_commands.h"
+#include "core/document/time/timeline_editing.h"
 
 namespace penpose::document {
 namespace {
@@ -17,12 +18,12 @@ std::optional<base::Error> check_offset(double offset_s) {
 
 base::Error no_sound() { return {"there is no sound", "", "open one first"}; }
 
-std::optional<base::Error> check_values(const SetMouth& command, std::span<const rig::Parameter> parameters) {
+std::optional<base::Error> check_values(const Document& document, const SetMouth& command) {
+  const auto parameters = document.model->rig->parameters();
   std::vector<bool> named(parameters.size());
   for (const NamedValue& one : command.values) {
-    const auto number = rig::find_parameter(parameters, one.name);
-    if (!number)
-      return base::Error{"the model has no parameter \"" + one.name + "\"", "values", "look at the names in the model"};
+    const auto number = number_of(document, one.name, "values");
+    if (!number) return number.error();
     if (named[*number]) return base::Error{"\"" + one.name + "\" is named twice", "values", "name it once"};
     named[*number] = true;
     if (auto error = out_of_range(parameters[*number], one.value)) return error;
@@ -32,7 +33,7 @@ std::optional<base::Error> check_values(const SetMouth& command, std::span<const
 
 /// The keys that were made of mouths, as other mouths make them; those that somebody changed since stay. `document` has
 /// the mouths as they were.
-Changed with_mouths(const Document& document, Mouths mouths, Parts& work) {
+Document with_mouths(const Document& document, Mouths mouths) {
   Document changed = document;
   changed.mouths = std::move(mouths);
   if (!document.spoken || document.timeline->keys.empty()) return changed;
@@ -40,23 +41,25 @@ Changed with_mouths(const Document& document, Mouths mouths, Parts& work) {
   const auto parameters = document.model->rig->parameters();
   const auto before = controls_of(document.mouths, spoken, parameters);
   const auto now = controls_of(changed.mouths, spoken, parameters);
-  std::vector<std::string> names;
-  for (const std::size_t number : now) names.push_back(parameters[number].name);
+  TimelineEditing keys(*document.timeline, parameters, document.pose);
   for (const SpokenMouth& one : spoken) {
     const Mouth* was = find_mouth(document.mouths, one.mouth);
     const Mouth* is = find_mouth(changed.mouths, one.mouth);
-    if (was == nullptr || is == nullptr) continue;
-    const std::vector<double> values = values_of(*is, now, parameters);
-    if (before == now && values == values_of(*was, now, parameters)) continue;
-    const rig::Pose there = pose_at(changed, one.time_s);
+    const auto place = key_at(*document.timeline, one.time_s);
+    if (was == nullptr || is == nullptr || !place) continue;
+    const PoseKey& key = document.timeline->keys[*place];
     const std::vector<double> made = values_of(*was, before, parameters);
     bool as_made = true;
-    for (std::size_t i = 0; i < before.size(); ++i) as_made = as_made && there[before[i]] == made[i];
-    if (!as_made || names.empty()) continue;
-    auto keyed = run(changed, KeyPoses{names, {one.time_s}, values}, work);
-    if (!keyed) return keyed;
-    changed = std::move(keyed).value();
+    for (std::size_t i = 0; i < before.size(); ++i)
+      as_made = as_made && key.controls.has(before[i]) && key.pose[before[i]] == made[i];
+    if (!as_made) continue;
+    const std::vector<double> values = values_of(*is, now, parameters);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const bool keyed = key.controls.has(now[i]);
+      keys.set(one.time_s, now[i], values[i], keyed ? key.controls[now[i]] : ControlKey{});
+    }
   }
+  changed.timeline = std::make_shared<const Timeline>(std::move(keys).finish());
   // The pose in hand is that of the moment.
   if (document.pose == pose_at(document, document.time_s)) changed.pose = pose_at(changed, document.time_s);
   return changed;
@@ -90,16 +93,16 @@ Changed run(const Document& document, const MoveSound& command, Parts&) {
   return changed;
 }
 
-Changed run(const Document& document, const SetMouth& command, Parts& work) {
+Changed run(const Document& document, const SetMouth& command, Parts&) {
   if (command.name.empty()) return base::Error{"a mouth needs a name", "name", "give one"};
-  if (auto error = check_values(command, document.model->rig->parameters())) return *error;
+  if (auto error = check_values(document, command)) return *error;
   Mouths mouths = document.mouths;
   const auto given = std::make_shared<const Mouth>(Mouth{command.name, command.values});
   std::shared_ptr<const Mouth> kept = mouths_of_rig({given}, document.model->rig->parameters()).front();
   for (auto& mouth : mouths) {
     if (mouth->name != command.name) continue;
     mouth = std::move(kept);
-    return with_mouths(document, std::move(mouths), work);
+    return with_mouths(document, std::move(mouths));
   }
   if (mouths.size() >= k_most_mouths)
     return base::Error{"there are 100 mouths already", "name", "draw one of them again, or delete one"};

@@ -28,23 +28,6 @@ TimelineEditing edit(const Document& document) {
   return {*document.timeline, document.model->rig->parameters(), document.pose};
 }
 
-base::Result<std::size_t> numbered(const Document& document, const std::string& name, const char* member) {
-  const auto number = rig::find_parameter(document.model->rig->parameters(), name);
-  if (!number)
-    return base::Error{"the model has no parameter \"" + name + "\"", member, "look at the names in the model"};
-  return *number;
-}
-
-base::Result<std::vector<std::size_t>> numbered(const Document& document, const std::vector<std::string>& names) {
-  std::vector<std::size_t> numbers;
-  for (const std::string& name : names) {
-    const auto number = numbered(document, name, "names");
-    if (!number) return number.error();
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 /// A key of one control: its place in the list, and its number.
 struct KeyPlace {
   std::size_t place = 0;
@@ -56,7 +39,7 @@ base::Result<std::vector<KeyPlace>> places_of(const Document& document, const Of
   if (keys.times_s.empty()) return base::Error{"no key is meant", "times_s", "name the moments of keys"};
   if (!keys.names.empty() && keys.names.size() != keys.times_s.size())
     return base::Error{"there is not one name for each moment", "names", "name a control for each, or none at all"};
-  const auto numbers = numbered(document, keys.names);
+  const auto numbers = numbers_of(document, keys.names);
   if (!numbers) return numbers.error();
   std::vector<KeyPlace> places;
   for (std::size_t i = 0; i < keys.times_s.size(); ++i) {
@@ -84,7 +67,7 @@ base::Result<std::vector<std::size_t>> check_performed(const Document& document,
     return base::Error{"there is not one value for each control and moment", "values", "give one row a moment"};
   std::vector<std::size_t> numbers;
   for (const std::string& name : command.names) {
-    const auto number = numbered(document, name, "names");
+    const auto number = number_of(document, name, "names");
     if (!number) return number.error();
     if (std::find(numbers.begin(), numbers.end(), *number) != numbers.end())
       return base::Error{"\"" + name + "\" is named twice", "names", "name it once"};
@@ -105,7 +88,7 @@ base::Result<std::vector<std::size_t>> check_performed(const Document& document,
 
 Changed run(const Document& document, const SetKey& command, Parts&) {
   if (auto error = check_time(command.time_s, "time_s")) return *error;
-  const auto numbers = numbered(document, command.names);
+  const auto numbers = numbers_of(document, command.names);
   if (!numbers) return numbers.error();
   // The kind of a key that is there stays.
   const auto place = key_at(*document.timeline, command.time_s);
@@ -227,32 +210,30 @@ Changed run(const Document& document, const SetKeySlopes& command, Parts&) {
 Changed run(const Document& document, const Tween& command, Parts&) {
   if (auto error = check_time(command.time_s, "time_s")) return *error;
   if (!std::isfinite(command.share)) return base::Error{"the share is no number", "share", "give one, 0.5 is half way"};
-  const auto numbers = numbered(document, command.names);
+  const auto numbers = numbers_of(document, command.names);
   if (!numbers) return numbers.error();
   const Timeline& timeline = *document.timeline;
-  const auto after_it = std::lower_bound(timeline.keys.begin(), timeline.keys.end(), command.time_s,
-                                         [](const PoseKey& key, double time) { return key.time_s < time; });
-  const auto place = static_cast<std::size_t>(after_it - timeline.keys.begin());
-  const bool at_key = after_it != timeline.keys.end() && after_it->time_s == command.time_s;
+  const std::size_t place = first_from(timeline, command.time_s);
+  const auto at_key = key_at(timeline, command.time_s);
   TimelineEditing keys = edit(document);
   bool any = false;
   for (std::size_t p = 0; p < document.pose.size(); ++p) {
     if (!numbers->empty() && std::find(numbers->begin(), numbers->end(), p) == numbers->end()) continue;
     const auto before = place > 0 ? key_before(timeline, p, place - 1) : std::nullopt;
-    const auto after = key_after(timeline, p, place + (at_key ? 1 : 0));
+    const auto after = key_after(timeline, p, at_key ? place + 1 : place);
     if (!before || !after) continue;
     any = true;
     const double from = timeline.keys[*before].pose[p];
     const double value = from + (timeline.keys[*after].pose[p] - from) * command.share;
     const rig::Parameter& range = document.model->rig->parameters()[p];
-    const bool keyed = at_key && after_it->controls.has(p);
+    const bool keyed = at_key && timeline.keys[place].controls.has(p);
     keys.set(command.time_s, p, std::clamp(value, range.minimum, range.maximum),
-             keyed ? after_it->controls[p] : ControlKey{});
+             keyed ? timeline.keys[place].controls[p] : ControlKey{});
   }
   if (!any)
     return base::Error{"no control has a key before that moment and one after it", "time_s",
                        "choose a moment between two keys"};
-  if (at_key) keys.name(command.time_s, after_it->name);
+  if (at_key) keys.name(command.time_s, timeline.keys[place].name);
   Document changed = with_timeline(document, std::move(keys).finish());
   changed.time_s = command.time_s;
   changed.pose = pose_at(changed, command.time_s);

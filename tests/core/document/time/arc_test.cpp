@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "core/curve/distance.h"
+#include "core/curve/polyline.h"
 #include "core/document/commands/list/arc_commands.h"
-#include "core/document/time/key_fit.h"
 #include "tests/support/document_hand.h"
 #include "tests/support/models/sheet_model.h"
 
@@ -18,35 +19,6 @@ std::vector<double> frames(double from_s, double to_s) {
   for (int f = 0; f <= static_cast<int>(std::lround((to_s - from_s) * k_rate)); ++f)
     moments.push_back(from_s + static_cast<double>(f) / k_rate);
   return moments;
-}
-
-/// The point of a polyline nearest to a place.
-double distance_to_line(const PxPoint& at, std::span<const PxPoint> line) {
-  double least = 1e300;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double u = geometry::nearest_share(at, line[i - 1], line[i]);
-    least = std::min(least, geometry::distance(at, line[i - 1] + (line[i] - line[i - 1]) * u));
-  }
-  return least;
-}
-
-TEST(KeyFit, FewKeysKeepASmoothCurveWithinTheTolerance) {
-  std::vector<double> moments = frames(0, 3);
-  std::vector<rig::Pose> poses;
-  for (const double t : moments) poses.push_back({0.5 + 0.3 * std::sin(2 * t), 0.2 * t});
-  const std::vector<std::size_t> controls{0, 1};
-  KeyFit fit(moments, poses, controls);
-  double most = 0;
-  fit.refine(0.002, [&](const rig::Pose& fitted, std::size_t f) {
-    return std::max(std::abs(fitted[0] - poses[f][0]), std::abs(fitted[1] - poses[f][1]));
-  });
-  for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(fit.at(c, 0).first, poses[0][c], 1e-12);
-  EXPECT_LE(fit.keys().size(), moments.size() / 5);
-  fit.refine(1e9, [&](const rig::Pose& fitted, std::size_t f) {
-    most = std::max(most, std::abs(fitted[0] - poses[f][0]));
-    return 0.0;
-  });
-  EXPECT_LE(most, 0.002);
 }
 
 /// The sheet keyed at 0, 1, 2 and 3 s, and a point of it that both of its shapes move.
@@ -66,7 +38,8 @@ class ArcHand : public tests::DocumentHand {
   }
   std::vector<PxPoint> places(std::span<const double> moments) const {
     const auto camera = geometry::Camera::make(view.camera, view.viewport).value();
-    return arc_of(document(), posing::at_mesh_point(point, document().model->mesh->triangles()), camera, moments);
+    return arc_of(document(), posing::at_mesh_point(point, document().model->mesh->triangles()), camera,
+                  poses_of_timeline(document(), moments));
   }
   RedrawArc redrawn(double from_s, double to_s, std::vector<PxPoint> line, std::vector<double> shares = {}) const {
     return {point, view, from_s, to_s, k_rate, std::move(line), std::move(shares)};
@@ -101,7 +74,7 @@ TEST(Arc, ARedrawnPathIsMetWithFewKeysAndNothingElseChanges) {
   double most = 0;
   for (std::size_t f = 0; f < after.size(); ++f) {
     if (f >= 24 && f <= 48) {
-      most = std::max(most, distance_to_line(after[f], line));
+      most = std::max(most, curve::distance_to(line, after[f]));
     } else {
       EXPECT_LT(geometry::distance(after[f], before[f]), 0.02) << f;
     }
@@ -115,13 +88,7 @@ TEST(Arc, TheSpacingStaysUnlessTheLineHasAPaceOfItsOwn) {
   ArcHand hand;
   const auto moments = frames(0, 1);
   const auto share = [&](const std::vector<PxPoint>& places, std::size_t f) {
-    double passed = 0;
-    double all = 0;
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      all += geometry::distance(places[i - 1], places[i]);
-      if (i == f) passed = all;
-    }
-    return passed / all;
+    return curve::shares_of(std::span<const PxPoint>(places)).value()[f];
   };
   const auto was = hand.places(moments);
   const auto line = hand.bowed(0, 1, 20);

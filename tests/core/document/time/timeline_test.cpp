@@ -1,61 +1,22 @@
 #include "core/document/time/timeline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/document/time/animation_sampling.h"
-#include "core/document/time/timeline_animation.h"
 #include "core/document/time/timeline_editing.h"
-#include "tests/support/document_hand.h"
-#include "tests/support/models/test_rigs.h"
+#include "tests/support/models/sheet_model.h"
+#include "tests/support/timelines.h"
 
 namespace penpose::document {
 namespace {
 
-Timeline timeline_of(const std::vector<double>& times, const std::vector<double>& values) {
-  Timeline timeline;
-  for (std::size_t i = 0; i < times.size(); ++i) timeline.keys.push_back({times[i], rig::Pose{values[i]}, ""});
-  return timeline;
-}
+using tests::k_kinds;
+using tests::random_timeline;
+using tests::timeline_of;
+using tests::with_kind;
 
-/// The pose at a time where every control has a key.
-rig::Pose sample(const Timeline& timeline, double time_s) {
-  return document::sample(timeline, time_s, rig::Pose(timeline.keys.front().pose.size(), 0.0));
-}
-
-constexpr std::array k_kinds{KeyKind::smooth,   KeyKind::linear, KeyKind::stepped, KeyKind::ease_in,
-                             KeyKind::ease_out, KeyKind::ease,   KeyKind::free};
-
-/// All keys of all controls in one kind.
-Timeline with_kind(Timeline timeline, KeyKind kind, double slope = 0) {
-  for (PoseKey& key : timeline.keys)
-    key.controls = std::vector<ControlKey>(key.pose.size(), ControlKey{kind, slope, slope});
-  return timeline;
-}
-
-/// Keys of all parameters of the sheet at uneven moments.
-Timeline random_timeline(const Model& model, std::size_t keys, std::uint64_t seed, double least_s = 0.01) {
-  std::mt19937_64 numbers(seed);
-  const auto real = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(numbers() >> 11) * 0x1p-53;
-  };
-  Timeline timeline;
-  double time = 0;
-  for (std::size_t k = 0; k < keys; ++k) {
-    PoseKey key;
-    key.time_s = time += real(least_s, 2);
-    rig::Pose pose;
-    for (const rig::Parameter& p : model.rig->parameters()) {
-      const double at = real(-0.5, 1.5);  // often at an end of the range
-      pose.push_back(std::clamp(p.minimum + (p.maximum - p.minimum) * at, p.minimum, p.maximum));
-    }
-    key.pose = std::move(pose);
-    timeline.keys.push_back(key);
-  }
-  return timeline;
-}
+rig::Pose sample(const Timeline& timeline, double time_s) { return tests::sampled(timeline, time_s); }
 
 TEST(Timeline, MeetsItsKeysAndHoldsItsEnds) {
   for (const KeyKind kind : k_kinds) {
@@ -120,25 +81,6 @@ TEST(Timeline, WithoutAKeyAControlIsAsItIs) {
   EXPECT_EQ(document::sample(Timeline{}, 0.5, rig::Pose{0.7})[0], 0.7);
 }
 
-TEST(Timeline, SlopesAreNoSteeperThanTheRangeAllows) {
-  const std::vector<rig::Parameter> parameters{{"a", 0, 0, 1}};
-  for (const double slope : {-80.0, -3.0, 0.5, 12.0, 1e9}) {
-    auto timeline = with_kind(timeline_of({0, 0.5, 2}, {0.1, 0.9, 0.4}), KeyKind::free, slope);
-    timeline = settled(timeline, parameters);
-    double most = 0;
-    for (double t = 0; t < 2; t += 0.001) {
-      const double value = sample(timeline, t)[0];
-      ASSERT_GE(value, 0) << slope << " " << t;
-      ASSERT_LE(value, 1) << slope << " " << t;
-      most = std::max(most, value);
-    }
-    if (slope > 1) {
-      EXPECT_GT(most, 0.99) << "no flatter than it must be";
-    }
-    EXPECT_EQ(settled(timeline, parameters), timeline);
-  }
-}
-
 TEST(Timeline, SmoothRisesWhereTheKeysRise) {
   const auto timeline = timeline_of({0, 0.1, 1, 1.05, 3}, {0, 0.01, 0.02, 0.9, 1});
   double before = -1e-300;
@@ -183,98 +125,6 @@ TEST(Timeline, SlopesAreFlatWhereTheCurveTurns) {
   EXPECT_EQ(monotone_slope(-0.5, 0), 0);
   EXPECT_EQ(monotone_slope(1, 1), 1);
   EXPECT_EQ(monotone_slope(0.1, 4), 3 * 0.1) << "cut, so that neither segment overshoots";
-}
-
-TEST(Timeline, AViewerOfTheAnimationSeesTheSame) {
-  const Model model = tests::sheet_model();
-  for (const KeyKind kind : k_kinds) {
-    for (const std::size_t keys : {1U, 2U, 3U, 9U}) {
-      const Timeline timeline =
-          settled(with_kind(random_timeline(model, keys, 5, 1), kind, 0.1), model.rig->parameters());
-      const Animation animation = to_animation(model, timeline);
-      EXPECT_EQ(animation.name, "timeline");
-      EXPECT_EQ(duration_s(animation), timeline.keys.back().time_s);
-      for (double t = 0; t < timeline.keys.back().time_s + 0.5; t += 0.037) {
-        const auto pose = sample(timeline, t);
-        const auto seen = sample(model, animation, t);
-        ASSERT_EQ(seen.weights.size(), 2U);
-        EXPECT_NEAR(seen.weights[0], pose[0], 1e-12) << t;
-        EXPECT_NEAR(seen.weights[1], pose[1], 1e-12) << t;
-        Model posed = model;
-        posed.pose = pose;
-        const auto expected = posed_positions(posed);
-        const auto shown = posed_positions(model_at(model, seen).value());
-        for (std::size_t v = 0; v < expected.size(); v += 17) {
-          ASSERT_NEAR(geometry::distance(expected[v], shown[v]), 0, 2e-3) << t << " " << v;
-        }
-      }
-    }
-  }
-}
-
-TEST(Timeline, AViewerSeesControlsOfAllKindsBesideEachOther) {
-  const Model model = tests::sheet_model();
-  std::mt19937_64 numbers(3);
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    Timeline timeline = random_timeline(model, 7, seed, 0.2);
-    for (PoseKey& key : timeline.keys) {
-      std::vector<ControlKey> list(key.pose.size());
-      for (ControlKey& one : list) {
-        one = {static_cast<KeyKind>(numbers() % 8), 0, 0};
-        if (one.kind == KeyKind::free) one = {one.kind, 0.3, -0.4};
-      }
-      key.controls = list;
-    }
-    timeline = settled(timeline, model.rig->parameters());
-    const Animation animation = to_animation(model, timeline);
-    for (double t = 0; t < timeline.keys.back().time_s + 0.5; t += 0.0137) {
-      const rig::Pose pose = document::sample(timeline, t, model.pose);
-      const auto seen = document::sample(model, animation, t);
-      for (std::size_t i = 0; i < 2; ++i) ASSERT_NEAR(seen.weights[i], pose[i], 1e-9) << seed << " " << t << " " << i;
-    }
-  }
-}
-
-TEST(Timeline, TheAnimationDrivesDeformersToo) {
-  tests::DocumentHand hand;
-  hand.sketch("up");
-  hand.does(SetKey{0, ""});
-  hand.does(SetParameters{{{"lift", 0.5}, {"up", 1}}});
-  hand.does(SetKey{2, ""});
-  const Model model = model_of(hand.document());
-  const auto shown = model_at(model, sample(model, model.animations[0], 1)).value();
-  EXPECT_NEAR(shown.pose[0], 0.25, 1e-12);
-  EXPECT_NEAR(shown.pose[2], 0.5, 1e-12);
-}
-
-TEST(Timeline, JointsThatDoNotTurnHaveNoChannel) {
-  const Model model = tests::sheet_model();
-  Timeline timeline;
-  timeline.keys = {{0, model.pose, ""}, {1, model.pose, ""}};
-  rig::Pose later = model.pose;
-  later[0] = 1;
-  timeline.keys[1].pose = later;
-  EXPECT_EQ(to_animation(model, timeline).channels.size(), 1U);
-  later[3] = 0.1;
-  timeline.keys[1].pose = later;
-  EXPECT_EQ(to_animation(model, timeline).channels.size(), 2U);
-  EXPECT_TRUE(to_animation(model, Timeline{}).channels.empty());
-}
-
-TEST(Timeline, IsTheFirstAnimationOfTheModel) {
-  Model model = tests::sheet_model();
-  model.animations = {{"walk", {}}};
-  Document document = make_document(model);
-  EXPECT_EQ(model_of(document).animations.size(), 1U);
-  auto timeline = std::make_shared<Timeline>();
-  timeline->keys = {{0, model.pose, ""}};
-  document.timeline = timeline;
-  document.pose[0] = 0.5;
-  const Model whole = model_of(document);
-  ASSERT_EQ(whole.animations.size(), 2U);
-  EXPECT_EQ(whole.animations[0].name, "timeline");
-  EXPECT_EQ(whole.animations[1].name, "walk");
-  EXPECT_EQ(whole.pose, document.pose);
 }
 
 }  // namespace

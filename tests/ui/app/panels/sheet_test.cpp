@@ -133,6 +133,24 @@ TEST(Sheet, ANameTouchedSelectsAllKeysOfItsControl) {
   EXPECT_DOUBLE_EQ(desk.app->of<Playback>().time_s(), 0.5) << "a touch of free ground goes there";
 }
 
+TEST(Sheet, ThousandsOfKeysAreShownAndSelected) {
+  SheetDesk desk("sheet-many");
+  document::KeyPoses many;
+  for (const auto& parameter : desk.document().model->rig->parameters()) many.names.push_back(parameter.name);
+  for (int k = 0; k < 6000; ++k) {
+    many.times_s.push_back(k / 24.0);
+    for (std::size_t i = 0; i < many.names.size(); ++i) many.values.push_back(k % 2 == 0 ? 0.25 : 0.5);
+  }
+  desk.perform(many);
+  desk.frames();
+  desk.press('t');
+  desk.click("row brow_inner_L");
+  EXPECT_EQ(desk.app->of<Keys>().selected().size(), 6000U);
+  desk.press('t', false, true);
+  desk.frames();
+  EXPECT_NE(desk.interface->find("curves"), nullptr);
+}
+
 TEST(Curves, AKeyIsPulledInTimeAndValueAndItsHandleBendsTheCurve) {
   SheetDesk desk("curves");
   desk.press('t', false, true);

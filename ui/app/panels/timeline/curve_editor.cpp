@@ -18,6 +18,8 @@ constexpr float k_margin_share = 0.1F;
 constexpr float k_curve_step_px = 3;
 constexpr float k_point_units = 0.17F;
 constexpr std::size_t k_curves_at_first = 4;
+/// Of more keys handles would hide the curves.
+constexpr std::size_t k_most_with_handles = 40;
 
 /// Where the values of controls lie on the strip: each by its own range.
 struct Graph {
@@ -48,6 +50,7 @@ struct Handle {
 
 std::vector<Handle> handles_of(const TimelineOwners& with, const Graph& graph) {
   std::vector<Handle> handles;
+  if (with.keys.selected().size() > k_most_with_handles) return handles;
   const document::Timeline& timeline = *with.editing.document().timeline;
   for (const KeySelection::Key& key : with.keys.selected().keys()) {
     const std::size_t control = key.second;
@@ -176,17 +179,25 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
   const bool moves = drag.pulled && drag.does == KeyDrag::Does::moves;
   const ImVec2 at = ImGui::GetIO().MousePos;
   std::vector<ImVec2> line;
+  // ImGui has room for 65536 corners in all.
+  const float step = std::max(k_curve_step_px, graph.strip.size.x / 400);
+  const float apart = least_apart(graph.strip, k_point_units * context.unit);
   for (const std::size_t control : with.shown().chosen) {
     line.clear();
-    for (float x = graph.strip.from.x; x <= graph.strip.to().x; x += k_curve_step_px) {
+    for (float x = graph.strip.from.x; x <= graph.strip.to().x; x += step) {
       const auto value = document::sample(timeline, control, graph.strip.time_of(x));
       if (value) line.push_back({x, graph.y_of(control, *value)});
     }
     list.AddPolyline(line.data(), static_cast<int>(line.size()), curve_color(control), 0, 2);
+    std::array<float, 2> drawn_x{-1e9F, -1e9F};  // of keys, of those that are selected
     for (const document::PoseKey& key : timeline.keys) {
       if (!key.controls.has(control)) continue;
       const bool chosen = selected.has(key.time_s, control);
-      ImVec2 point{graph.strip.x_of(key.time_s), graph.y_of(control, key.pose[control])};
+      const float x = graph.strip.x_of(key.time_s);
+      float& last_x = drawn_x[chosen ? 1 : 0];
+      if (x < graph.strip.from.x || x > graph.strip.to().x || x - last_x < apart) continue;
+      last_x = x;
+      ImVec2 point{x, graph.y_of(control, key.pose[control])};
       if (chosen && moves) {
         point.x =
             graph.strip.x_of(on_frame(key.time_s + graph.strip.time_of(at.x) - drag.begin_s, with.playback.rate()));

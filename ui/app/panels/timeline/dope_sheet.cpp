@@ -23,7 +23,7 @@ struct Sheet {
   Strip strip;
   float row_height = 0;
   float first_y = 0;  ///< of the first row, which may be scrolled out of sight
-  std::vector<SheetRow> rows;
+  std::span<const SheetRow> rows;
   [[nodiscard]] float middle_of(std::size_t row) const {
     return first_y + (static_cast<float>(row) + 0.5F) * row_height;
   }
@@ -161,19 +161,21 @@ void draw_rows(PanelContext& context, const TimelineOwners& with, const Sheet& s
       list.AddRectFilled({sheet.strip.from.x, y - 0.5F * sheet.row_height},
                          {sheet.strip.to().x, y + 0.5F * sheet.row_height}, ImGui::GetColorU32(ImGuiCol_Text, 0.06F));
     }
-    float drawn_x = -1e9F;
+    KeyRow keys(sheet.strip, y, half);
     for (const document::PoseKey& key : timeline.keys) {
-      const bool any = std::any_of(one.controls.begin(), one.controls.end(),
-                                   [&](std::size_t control) { return key.controls.has(control); });
-      if (!any) continue;
-      const bool chosen = std::any_of(one.controls.begin(), one.controls.end(),
-                                      [&](std::size_t control) { return selected.has(key.time_s, control); });
-      const float x = sheet.strip.x_of(shown_moment(with, sheet.strip, key.time_s, chosen));
-      // Keys that are closer than px are one.
-      if (x < sheet.strip.from.x - half || x > sheet.strip.to().x + half || (!chosen && std::abs(x - drawn_x) < 1))
-        continue;
-      drawn_x = x;
-      draw_key({x, y}, half, chosen ? k_selected_color : one.group ? k_group_color : k_key_color, chosen);
+      const bool may_be_chosen =
+          !selected.empty() && key.time_s >= selected.first_s() && key.time_s <= selected.last_s();
+      const float x = sheet.strip.x_of(key.time_s);
+      const bool outside = x < sheet.strip.from.x - half || x > sheet.strip.to().x + half;
+      if (outside && !may_be_chosen) continue;
+      const auto any = [&](auto has) { return std::any_of(one.controls.begin(), one.controls.end(), has); };
+      if (!any([&](std::size_t control) { return key.controls.has(control); })) continue;
+      const bool chosen = may_be_chosen && any([&](std::size_t control) { return selected.has(key.time_s, control); });
+      keys.add(chosen ? sheet.strip.x_of(shown_moment(with, sheet.strip, key.time_s, true)) : x, half,
+               chosen      ? k_selected_color
+               : one.group ? k_group_color
+                           : k_key_color,
+               chosen);
     }
   }
 }

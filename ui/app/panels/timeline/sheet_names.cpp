@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
 #include <string>
 
 #include "ui/app/controls/control_parts.h"
@@ -11,10 +13,20 @@
 namespace penpose::app {
 namespace {
 
+constexpr std::size_t k_most_curves = 16;
 constexpr float k_bar_units = 0.16F;
 constexpr float k_bar_end_units = 0.35F;
 
-/// The colour of a control's curve and of its name.
+/// The rows as of the last timeline, of which each frame would look at every key.
+struct KnownRows {
+  std::shared_ptr<const document::Timeline> timeline;
+  std::shared_ptr<const rig::CharacterRig> rig;
+  std::set<std::string> folded;
+  bool all = false;
+  std::vector<SheetRow> rows;
+};
+
+/// Its name is in the colour of its curve.
 bool draws_curve(const TimelineOwners& with, const SheetRow& row) {
   return with.shown().part == TimelinePart::curves && !row.group && with.shown().chosen.count(row.controls.front()) > 0;
 }
@@ -27,7 +39,10 @@ void touch_row(const TimelineOwners& with, const SheetRow& row) {
   }
   const std::size_t control = row.controls.front();
   if (shown.part == TimelinePart::curves) {
-    if (shown.chosen.erase(control) == 0) shown.chosen.insert(control);
+    if (shown.chosen.erase(control) > 0) return;
+    if (shown.chosen.size() >= k_most_curves)
+      return with.notices.tell("so many curves cannot be told apart: touch the name of one to hide it first");
+    shown.chosen.insert(control);
     return;
   }
   KeySelection& keys = with.keys.selected();
@@ -39,14 +54,21 @@ void touch_row(const TimelineOwners& with, const SheetRow& row) {
 
 }  // namespace
 
-std::vector<SheetRow> rows_of(const TimelineOwners& with) {
+const std::vector<SheetRow>& rows_of(const TimelineOwners& with) {
   const document::Document& document = with.editing.document();
   const auto& parts = with.panels.own.of<ControlParts>().of(document, with.editing.features());
-  return sheet_rows(document, parts, with.shown().folded, with.shown().all_rows);
+  KnownRows& known = with.panels.own.of<KnownRows>();
+  const TimelineShown& shown = with.shown();
+  if (known.timeline != document.timeline || known.rig != document.model->rig || known.folded != shown.folded ||
+      known.all != shown.all_rows) {
+    known = {document.timeline, document.model->rig, shown.folded, shown.all_rows, {}};
+    known.rows = sheet_rows(document, parts, shown.folded, shown.all_rows);
+  }
+  return known.rows;
 }
 
-void show_row_names(PanelContext& context, const TimelineOwners& with, const std::vector<SheetRow>& rows,
-                    float row_height, float height) {
+void show_row_names(PanelContext& context, const TimelineOwners& with, std::span<const SheetRow> rows, float row_height,
+                    float height) {
   const float width = names_width(context, with) - context.gap;
   ImGui::BeginChild("row names", {width, height}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

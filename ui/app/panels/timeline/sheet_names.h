@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,11 +12,11 @@
 
 namespace penpose::app {
 
-/// The rows of the document as they are folded.
-[[nodiscard]] std::vector<SheetRow> rows_of(const TimelineOwners& with);
+/// The rows of the document as they are folded. Valid until the document changes.
+[[nodiscard]] const std::vector<SheetRow>& rows_of(const TimelineOwners& with);
 /// Their names at the left: a touch of a group folds it, of a control chooses its curve. A wheel or a drag scrolls.
-void show_row_names(PanelContext& context, const TimelineOwners& with, const std::vector<SheetRow>& rows,
-                    float row_height, float height);
+void show_row_names(PanelContext& context, const TimelineOwners& with, std::span<const SheetRow> rows, float row_height,
+                    float height);
 
 /// A bar above the selected keys, from the first of them to the last.
 void show_selection_bar(PanelContext& context, const TimelineOwners& with, const Strip& strip);

@@ -87,4 +87,33 @@ void draw_key(ImVec2 middle, float half, ImU32 color, bool strong) {
   list.AddQuad(left, top, right, bottom, IM_COL32(60, 40, 0, 255), strong ? 2.5F : 1);
 }
 
+float least_apart(const Strip& strip, float half) { return std::max(1.2F * half, strip.size.x / 150); }
+
+KeyRow::KeyRow(const Strip& strip, float middle_y, float half)
+    : strip_(strip), y_(middle_y), apart_(least_apart(strip, half)) {}
+
+KeyRow::~KeyRow() { flush(); }
+
+void KeyRow::add(float x, float half, ImU32 color, bool strong) {
+  if (x < strip_.from.x - half || x > strip_.to().x + half) return;
+  const bool same = run_.keys > 0 && run_.color == color && run_.strong == strong && std::abs(x - run_.to) < apart_;
+  if (!same) {
+    flush();
+    run_ = {x, x, half, color, strong, 0};
+  }
+  run_.to = x;
+  run_.half = std::max(run_.half, half);
+  ++run_.keys;
+}
+
+void KeyRow::flush() {
+  if (run_.keys == 1) {
+    draw_key({run_.from, y_}, run_.half, run_.color, run_.strong);
+  } else if (run_.keys > 1) {
+    const float high = 0.6F * run_.half;
+    ImGui::GetWindowDrawList()->AddRectFilled({run_.from - high, y_ - high}, {run_.to + high, y_ + high}, run_.color);
+  }
+  run_.keys = 0;
+}
+
 }  // namespace penpose::app

@@ -68,6 +68,34 @@ void show_cursor(const Strip& strip, const TimelineOwners& with);
 
 /// A key as a diamond, `half` px wide to each side.
 void draw_key(ImVec2 middle, float half, ImU32 color, bool strong);
+/// Keys of one row, drawn from the left to the right. Those that would lie over each other are one bar: there may be
+/// thousands, and a panel of ImGui has room for 65536 corners.
+class KeyRow {
+ public:
+  KeyRow(const Strip& strip, float middle_y, float half);
+  ~KeyRow();
+  KeyRow(const KeyRow&) = delete;
+  KeyRow& operator=(const KeyRow&) = delete;
+
+  /// What lies outside of the strip is left out.
+  void add(float x, float half, ImU32 color, bool strong);
+
+ private:
+  struct Run {
+    float from = 0, to = 0, half = 0;
+    ImU32 color = 0;
+    bool strong = false;
+    int keys = 0;
+  };
+  void flush();
+
+  const Strip& strip_;
+  float y_;
+  float apart_;
+  Run run_;
+};
+/// Marks are no nearer to each other than this, so that a strip holds no more than 150.
+[[nodiscard]] float least_apart(const Strip& strip, float half);
 
 /// The colour of the curve of a control.
 [[nodiscard]] ImU32 curve_color(std::size_t control);
