@@ -11,6 +11,8 @@ namespace {
 
 /// Model units, over all points of a part: a control that moves less of the features says nothing.
 constexpr double k_least_move = 1e-6;
+/// A control is of a part that it moves so many times as far as any other.
+constexpr double k_distinctly = 1.5;
 
 std::optional<FacePart> part_of_feature(std::string_view name) {
   const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
@@ -39,14 +41,27 @@ FeatureVertices vertices_of(std::span<const portrait::FeatureCurve> features) {
   return all;
 }
 
-/// The part whose points move farthest, all together; `all`: none moves.
+/// The part whose points move distinctly farther than those of the others, in the mean; `all`: none does, such as where
+/// the whole head is turned.
 FacePart part_of_moves(const FeatureVertices& features, std::span<const geometry::ModelPoint> rest,
                        std::span<const geometry::ModelPoint> moved) {
-  std::array<double, 4> sums{};
-  for (std::size_t v = 0; v < rest.size(); ++v)
-    sums[static_cast<std::size_t>(features.parts[v])] += geometry::distance(rest[v], moved[v]);
-  const auto most = std::max_element(sums.begin(), sums.end());
-  return *most > k_least_move ? static_cast<FacePart>(most - sums.begin()) : FacePart::all;
+  struct Moves {
+    double sum = 0;
+    int count = 0;
+    [[nodiscard]] double mean() const { return count > 0 ? sum / count : 0; }
+  };
+  std::array<Moves, 4> parts{};
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    Moves& part = parts[static_cast<std::size_t>(features.parts[v])];
+    part.sum += geometry::distance(rest[v], moved[v]);
+    ++part.count;
+  }
+  const auto less = [](const Moves& a, const Moves& b) { return a.mean() < b.mean(); };
+  const auto most = std::max_element(parts.begin(), parts.end(), less);
+  for (auto other = parts.begin(); other != parts.end(); ++other) {
+    if (other != most && other->mean() * k_distinctly > most->mean()) return FacePart::all;
+  }
+  return most->sum > k_least_move ? static_cast<FacePart>(most - parts.begin()) : FacePart::all;
 }
 
 }  // namespace

@@ -24,6 +24,14 @@ TEST(ControlParts, AreToldByWhatControlsMoveAndNotByTheirNames) {
   EXPECT_EQ(parts_by_effect(document, turned)[0], FacePart::mouth);
 }
 
+TEST(ControlParts, WhatTurnsAllOfTheFaceIsOfNoPart) {
+  const document::Document document = document::make_document(tests::sheet_model());
+  const std::vector<portrait::FeatureCurve> features{feature("lip_upper_outer", 2), feature("brow_L", 12)};
+  const auto parts = parts_by_effect(document, features);
+  const auto number = rig::find_parameter(document.model->rig->parameters(), "base.ry");
+  EXPECT_EQ(parts[number.value()], FacePart::all);
+}
+
 TEST(ControlParts, WithoutFeaturesTheirNamesAreLeft) {
   const document::Document document = document::make_document(tests::sheet_model());
   const auto parts = parts_by_effect(document, {});
