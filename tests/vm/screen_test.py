@@ -6,7 +6,8 @@ usage: screen_test.py --penpose PROGRAM --work FOLDER [--way gl|es|cpu|frame_buf
 es: Mesa offers OpenGL ES 2.0 and nothing else. cpu: there is no OpenGL library. frame_buffer: nor /dev/dri, and the panel is turned by
 180 degrees.
 
-Looks at what the screen shows and at how the program ends. Ends with status 77 (skipped) where QEMU, the kernel or Mesa's
+The mouse is plugged in when the head is seen: no udev tells the program of it. Looks at what the screen shows and at how the
+program ends. Ends with status 77 (skipped) where QEMU, the kernel or Mesa's
 files are missing.
 """
 import argparse
@@ -97,7 +98,7 @@ def run_machine(options):
     modules = 'virtio_pci virtio_console bochs hid hid-generic usbhid evdev xhci-pci'.split()
     archive = machine.build_initramfs(options.work, [options.penpose], files, modules, loaded(options))
     vm = machine.Machine(options.work, archive, memory=1536, processors=2,
-                         devices=(f'bochs-display,xres={WIDTH},yres={HEIGHT}', 'usb-mouse,bus=usb.0,id=mouse', 'usb-kbd,bus=usb.0,id=keyboard'))
+                         devices=(f'bochs-display,xres={WIDTH},yres={HEIGHT}', 'usb-kbd,bus=usb.0,port=2,id=keyboard'))
     shot = os.path.join(options.work, 'screen.ppm')
     try:
         vm.wait_for_mark('started', 200)
@@ -109,6 +110,8 @@ def run_machine(options):
                 break
         time.sleep(2)
         vm.command('screendump', filename=shot)
+        vm.command('device_add', driver='usb-mouse', bus='usb.0', port='1', id='mouse')
+        time.sleep(2)
         press_until_the_menu_opens(vm, options, shot)
         vm.command('device_del', id='mouse')
         vm.wait_for_mark('ended', 60)

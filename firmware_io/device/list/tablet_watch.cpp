@@ -18,7 +18,7 @@
 namespace penpose::device {
 namespace {
 
-/// Exists while udev runs; only then do its events come, which are later than the kernel's and so those to wait for.
+/// Exists while udev runs.
 constexpr const char* k_udev_socket = "/run/udev/control";
 /// Groups of NETLINK_KOBJECT_UEVENT (systemd's sd-device, enum MonitorNetlinkGroup).
 constexpr std::uint32_t k_from_kernel = 1;
@@ -85,6 +85,8 @@ std::vector<LiveTablet> without(const std::vector<LiveTablet>& list, const std::
 
 }  // namespace
 
+bool udev_runs() { return ::access(k_udev_socket, F_OK) == 0; }
+
 bool TabletChanges::replaced(const LiveTablet& one) const {
   return one.transport == Transport::event && std::any_of(arrived.begin(), arrived.end(), [&](const LiveTablet& other) {
            return other.interface.parent == one.interface.parent && other.transport != Transport::event;
@@ -132,7 +134,8 @@ class TabletWatch::Monitor {
     made->events = File(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT));
     sockaddr_nl address{};
     address.nl_family = AF_NETLINK;
-    address.nl_groups = ::access(k_udev_socket, F_OK) == 0 ? k_from_udev : k_from_kernel;
+    // Where udev runs, its events come later than the kernel's and so are those to wait for.
+    address.nl_groups = udev_runs() ? k_from_udev : k_from_kernel;
     if (::bind(made->events.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return nullptr;
     made->timer = File(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
     made->either = File(::epoll_create1(EPOLL_CLOEXEC));

@@ -41,6 +41,9 @@ class Settling {
   std::optional<std::int64_t> until_us_;
 };
 
+/// Whether udev runs, which tells programs of devices that come and go.
+[[nodiscard]] bool udev_runs();
+
 /// Watches tablets come and go, through udev where it runs, and straight from the kernel on a bare board.
 class TabletWatch {
  public:

@@ -12,9 +12,9 @@ case $way in
 esac
 penpose --fullscreen $options --session /out/drawn.session >/out/app.txt 2>&1 &
 app=$!
-mouse=/sys/bus/usb/devices/1-1
-until_true 60 test -e $mouse
 echo "MARK started"
+mouse=/sys/bus/usb/devices/1-1
+until_true 300 test -e $mouse
 # The host pulls the mouse when it has seen enough.
 tries=1200
 while [ -e $mouse ]; do

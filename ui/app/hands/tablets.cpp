@@ -39,6 +39,7 @@ struct Tablets::State {
   StartWatch start_watch;
   int stop_event = -1;
   std::atomic<bool> stop{false};
+  std::atomic<unsigned> looks{0};
   std::thread thread;
 
   std::mutex mutex;  // guards what follows; held for moments only
@@ -113,6 +114,7 @@ struct Tablets::State {
       return;
     }
     for (const auto& tablet : watch->tablets()) add(tablet);
+    ++looks;
     wake();
     while (!stop) {
       std::vector<pollfd> waiting{{stop_event, POLLIN, 0}, {watch->wake_fd(), POLLIN, 0}};
@@ -125,6 +127,7 @@ struct Tablets::State {
         const device::TabletChanges changes = watch->next(0);
         end_replaced(changes);
         for (const auto& tablet : changes.arrived) add(tablet);
+        ++looks;
       }
       {
         const std::scoped_lock lock(mutex);
@@ -157,6 +160,8 @@ void Tablets::set_exclusive(bool wanted) {
   if (std::exchange(state_->exclusive, wanted) == wanted) return;
   for (const State::Open& one : state_->open) one.pump->set_exclusive(wanted);
 }
+
+unsigned Tablets::looks() const { return state_->looks; }
 
 void Tablets::take(TabletEvents& events, Notices& notices) {
   std::vector<State::Open> gone;

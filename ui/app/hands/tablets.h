@@ -26,6 +26,9 @@ class Tablets {
   /// Whether pens and pads that the desktop reads as well are kept from it (ReportPump::set_exclusive). At first they
   /// are not.
   void set_exclusive(bool wanted);
+  /// Counts how often the system's devices were looked at: once at the start, and whenever any came or went, after
+  /// which it wakes the window up.
+  [[nodiscard]] unsigned looks() const;
 
  private:
   struct State;

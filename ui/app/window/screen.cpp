@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/list/tablet_watch.h"
 #include "ui/app/canvas/own_scale.h"
 #include "ui/app/hands/panel_turn.h"
 #include "ui/app/view/present/cpu_presenter.h"
@@ -118,6 +119,8 @@ void Screen::take(SDL_Window* window) {
     SDL_SetWindowMinimumSize(window, std::min(all.w, 480), std::min(all.h, 320));
   }
 }
+
+bool Screen::lacks_input() { return bare_ && inputs_.has_new() && !device::udev_runs(); }
 
 std::unique_ptr<Presenter> Screen::cpu_presenter() {
   if (!bare_output_) output_ = make_window_output(window_);

@@ -9,6 +9,7 @@
 #include "ui/app/view/present/output/picture_output.h"
 #include "ui/app/view/present/output/rotation.h"
 #include "ui/app/view/present/presenter.h"
+#include "ui/app/window/input_nodes.h"
 #include "ui/files/window_request.h"
 #include "ui/render/renderer.h"
 
@@ -34,6 +35,9 @@ class Screen {
   [[nodiscard]] SDL_Rect place_of_window(bool fills) const;
   /// Call it when the window is there, which must outlive this.
   void take(SDL_Window* window);
+  /// Whether a mouse, a keyboard or a touch panel came that SDL does not hear of, as on a bare board without udev.
+  /// Starting anew finds it.
+  [[nodiscard]] bool lacks_input();
   /// By the processor, in the window or on the screen itself.
   [[nodiscard]] std::unique_ptr<Presenter> cpu_presenter();
 
@@ -66,6 +70,7 @@ class Screen {
   geometry::PxPoint bare_mouse_;  ///< on the panel, where `bare_output_`
   std::unique_ptr<PictureOutput> output_;
   SDL_Window* window_ = nullptr;
+  InputNodes inputs_;
 };
 
 }  // namespace penpose::app

@@ -81,6 +81,8 @@ struct Window::State {
   State& operator=(const State&) = delete;
   ~State() { close(); }
 
+  /// Opens it anew as it is.
+  base::Status restart();
   /// Opens the window for the first of the `untried` ways that starts, in place of the one that it is open for. Errors:
   /// what the last one lacks.
   base::Status start();
@@ -108,6 +110,11 @@ base::Status Window::State::start() {
     break;
   }
   return started;
+}
+
+base::Status Window::State::restart() {
+  untried = {way};
+  return start();
 }
 
 base::Status Window::State::start(render::DrawWay one) {
@@ -224,6 +231,8 @@ base::Result<std::unique_ptr<Window>> Window::open(const files::WindowRequest& r
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  // Video may start several times; what wakes the window up in between is not lost.
+  SDL_InitSubSystem(SDL_INIT_EVENTS);
   auto state = std::make_unique<State>(request);
   const auto way = state->screen.only_way() ? state->screen.only_way() : render::way_of(request.draw);
   state->fullscreen = request.fullscreen;
@@ -251,7 +260,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   // A driver may offer what it then refuses.
   while (!drawing && !state_->untried.empty() && state_->start()) drawing = start_drawing();
   if (!drawing) return drawing.error();
-  DrawThread& thread = **drawing;
+  DrawThread* thread = drawing->get();
   const Canvas& canvas = app.of<Canvas>();
   const CanvasLook& look = app.of<CanvasLook>();
   const Files& files = app.of<Files>();
@@ -261,7 +270,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   Leaving& leaving = app.of<Leaving>();
   FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
   SDL_StartTextInput();
-  FullScreen full_screen(state_->window);
+  unsigned looks = 0;  // at the system's devices
+  std::optional<FullScreen> full_screen(state_->window);
   bool wanted_fullscreen = look.fullscreen;
   int fonts = interface.font_revision();
   std::uint64_t pose_number = canvas.surface().pose_number();
@@ -271,12 +281,12 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   bool due = true;  // something happened that the last frame does not show
   while (!leaving.wants_quit()) {
     // While a frame is being drawn the next one waits, and reports do not.
-    const bool busy = thread.busy();
+    const bool busy = thread->busy();
     int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
     if (const int tip_ms = interface.next_frame_ms(); tip_ms >= 0 && (wait_ms < 0 || wait_ms > tip_ms))
       wait_ms = tip_ms;
-    if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
-    if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
+    if (thread->refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
+    if (full_screen->waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
     if (busy) wait_ms = player.trace && player.trace->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
     const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
@@ -293,33 +303,46 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     tablets.set_exclusive((SDL_GetWindowFlags(state_->window) & SDL_WINDOW_INPUT_FOCUS) != 0);
     tablets.take(app.of<TabletEvents>(), app.of<Notices>());
+    const unsigned before = std::exchange(looks, tablets.looks());
+    if (looks != before && state_->screen.lacks_input()) {
+      drawing->reset();
+      status = state_->restart();
+      if (!status) break;
+      drawing = start_drawing();
+      if (!drawing) return drawing.error();
+      thread = drawing->get();
+      full_screen.emplace(state_->window);
+      app.of<Pointer>().left();
+      SDL_StartTextInput();
+      due = true;
+    }
     if (StopWatch::asked()) {
       timings.idle_us = device::monotonic_us() - last_us;
       leaving.quit_at_once();
     }
     // Reports that are due, and the face that follows them, are no part of a frame.
     app.advance();
-    if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
+    if (timings.first_frame_us == 0 && thread->drawn_count() > 0) {
       timings.first_frame_us = device::monotonic_us() - timings.began_us;
       // Loading a model and compiling shaders leave much behind that nobody asks for again.
       files::give_back_memory();
     }
-    status = thread.status();
+    status = thread->status();
     if (!status) break;
-    const Undrawn undrawn = thread.take_undrawn();
+    const Undrawn undrawn = thread->take_undrawn();
     undrawn_textures.add(undrawn.look, undrawn.names);
     // The picture that was drawn last may have found the window larger or smaller.
-    const auto drawable = thread.drawable();
-    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == canvas.window())) || due;
-    if (!due || thread.busy()) continue;
+    const auto drawable = thread->drawable();
+    due = full_screen->settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == canvas.window())) || due;
+    if (!due || thread->busy()) continue;
     due = false;
     if (look.fullscreen != wanted_fullscreen) {
       wanted_fullscreen = look.fullscreen;
-      full_screen.toggle(device::monotonic_us());
+      full_screen->toggle(device::monotonic_us());
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.of<Pointer>().resized(thread.drawable().value_or(state_->screen.size()), state_->screen.dpi(),
+    app.of<Pointer>().resized(thread->drawable().value_or(state_->screen.size()), state_->screen.dpi(),
                               state_->screen.own_scale());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
@@ -327,9 +350,9 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     timings.prepared_us.push_back(thread_cpu_us() - cpu_before);
     if (interface.font_revision() != fonts) {
       fonts = interface.font_revision();
-      thread.send_letters();
+      thread->send_letters();
     }
-    thread.draw(frames.make(), *ImGui::GetDrawData());
+    thread->draw(frames.make(), *ImGui::GetDrawData());
     live({editing.shown().model()->rig->parameters(), editing.shown().pose(), static_cast<double>(now) * 1e-6});
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
     if (std::exchange(pose_number, canvas.surface().pose_number()) != canvas.surface().pose_number()) {
@@ -340,7 +363,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
     if (until_played && player.trace && player.trace->finished()) leaving.quit();
   }
-  timings.drawn_us = thread.times_us();
+  timings.drawn_us = thread->times_us();
   timings.way = render::name_of(state_->way);
   return status;
 }
