@@ -1,6 +1,9 @@
 #include "core/document/document.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/document/time/timeline_animation.h"
@@ -34,17 +37,27 @@ Document with_model(const Document& document, Model model) {
     return other;
   };
   after.pose = carried(document.pose);
-  Timeline timeline = *document.timeline;
-  for (PoseKey& key : timeline.keys) {
-    key.pose = carried(key.pose);
-    if (key.controls.usual()) continue;
-    std::vector<ControlKey> controls;
-    for (const auto& number : old_number)
-      controls.push_back(number ? key.controls[*number] : ControlKey{KeyKind::none});
-    key.controls = std::move(controls);
+  const auto carried_keys = [&](const std::shared_ptr<const Timeline>& keys) -> std::shared_ptr<const Timeline> {
+    if (!keys) return nullptr;
+    Timeline timeline = *keys;
+    for (PoseKey& key : timeline.keys) {
+      key.pose = carried(key.pose);
+      if (key.controls.usual()) continue;
+      std::vector<ControlKey> controls;
+      for (const auto& number : old_number)
+        controls.push_back(number ? key.controls[*number] : ControlKey{KeyKind::none});
+      key.controls = std::move(controls);
+    }
+    return std::make_shared<const Timeline>(settled(std::move(timeline), parameters));
+  };
+  after.timeline = carried_keys(document.timeline);
+  for (auto& clip : after.clips) {
+    Clip other = *clip;
+    // Both are the same list where nothing was changed.
+    other.opened = clip->opened == document.timeline ? after.timeline : carried_keys(clip->opened);
+    other.timeline = clip->timeline == clip->opened ? other.opened : carried_keys(clip->timeline);
+    clip = std::make_shared<const Clip>(std::move(other));
   }
-  timeline = settled(std::move(timeline), parameters);
-  after.timeline = std::make_shared<const Timeline>(std::move(timeline));
   std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
   after.mouths = mouths_of_rig(document.mouths, parameters);
   if (document.taken) after.taken = taken_of_rig(*document.taken, parameters);
@@ -67,7 +80,7 @@ bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
          document.views.empty() && !document.face && !document.neutral && !document.sound && document.mouths.empty() &&
-         !document.spoken;
+         !document.spoken && document.clips.empty();
 }
 
 rig::Pose pose_at(const Document& document, double time_s) {
@@ -79,12 +92,53 @@ rig::Pose pose_at(const Document& document, double time_s) {
   return pose;
 }
 
+const Timeline& keys_of_clip(const Document& document, std::size_t number) {
+  return number == document.clip ? *document.timeline : *document.clips[number]->timeline;
+}
+
+namespace {
+
+/// Clips that were made here, as animations.
+std::vector<Animation> made_of(const Document& document, const Model& model) {
+  std::vector<Animation> made;
+  const auto add = [&](const std::string& name, const Timeline& timeline) {
+    Animation animation = to_animation(model, timeline);
+    animation.name = name;
+    if (!animation.channels.empty()) made.push_back(std::move(animation));
+  };
+  if (document.clips.empty()) add(k_timeline_name, *document.timeline);
+  for (std::size_t i = 0; i < document.clips.size(); ++i) {
+    if (!document.clips[i]->animation) add(document.clips[i]->name, keys_of_clip(document, i));
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<std::string> made_animations(const Document& document) {
+  std::vector<std::string> names;
+  for (const Animation& one : made_of(document, *document.model)) names.push_back(one.name);
+  return names;
+}
+
 Model model_of(const Document& document) {
   Model model = *document.model;
   model.pose = document.pose;
-  if (!document.timeline->keys.empty()) {
-    model.animations.insert(model.animations.begin(), to_animation(model, *document.timeline));
+  std::set<std::size_t, std::greater<>> emptied;
+  for (std::size_t i = 0; i < document.clips.size(); ++i) {
+    const Clip& clip = *document.clips[i];
+    if (!clip.animation) continue;
+    Animation& animation = model.animations[*clip.animation];
+    const Timeline& keys = keys_of_clip(document, i);
+    if (keys.keys.empty()) emptied.insert(*clip.animation);
+    if (!(*clip.opened == keys)) animation = with_keys(model, animation, *clip.opened, keys);
+    animation.name = clip.name;
   }
+  for (const std::size_t number : emptied)
+    model.animations.erase(model.animations.begin() + static_cast<std::ptrdiff_t>(number));
+  std::vector<Animation> made = made_of(document, model);
+  model.animations.insert(model.animations.begin(), std::make_move_iterator(made.begin()),
+                          std::make_move_iterator(made.end()));
   return model;
 }
 

@@ -13,6 +13,7 @@
 #include "core/document/model.h"
 #include "core/document/sound/mouths.h"
 #include "core/document/sound/sound_reference.h"
+#include "core/document/time/clip.h"
 #include "core/document/time/timeline.h"
 
 namespace penpose::document {
@@ -75,7 +76,9 @@ struct Document {
   std::vector<std::shared_ptr<const PoseCurve>> curves;  ///< in the order of drawing
   std::uint32_t last_curve = 0;                          ///< the highest id given out
   std::shared_ptr<const PendingSketch> pending;          ///< null: none
-  std::shared_ptr<const Timeline> timeline;              ///< never null
+  std::shared_ptr<const Timeline> timeline;              ///< never null; of the clip that is shown
+  std::vector<std::shared_ptr<const Clip>> clips;        ///< empty: the timeline is the only one
+  std::size_t clip = 0;                                  ///< the one that is shown
   double time_s = 0;                                     ///< where on the timeline the pose was last taken from
   std::shared_ptr<const Moment> moment;                  ///< null: nothing drawn yet
   std::shared_ptr<const FaceDrawing> face;               ///< lines of a face as it should be; null: none
@@ -106,9 +109,15 @@ struct Document {
 /// are.
 [[nodiscard]] rig::Pose pose_at(const Document& document, double time_s);
 
-/// The model with the pose of the document and its timeline as one more animation, "timeline", in front: the content of
-/// a file for other programs.
+/// The keys of one of Document::clips.
+[[nodiscard]] const Timeline& keys_of_clip(const Document& document, std::size_t number);
+
+/// The model with the pose of the document and its clips as animations, those that were made here in front (without
+/// clips: the timeline as "timeline"), those of the model in its order, without those that have no keys left, and with
+/// their own channels where their keys are as they were: the content of a file for other programs.
 [[nodiscard]] Model model_of(const Document& document);
+/// The names of the animations that model_of puts in front.
+[[nodiscard]] std::vector<std::string> made_animations(const Document& document);
 
 [[nodiscard]] const PoseCurve* find_curve(const Document& document, CurveId id);
 /// The first reference that has no target yet.

@@ -112,6 +112,14 @@ base::Hash128 hash_parameters(const Document& document) {
   return hash.digest();
 }
 
+void add_spoken(StateHash& hash, const SpokenMouths& spoken) {
+  hash.add("spoken");
+  for (const SpokenMouth& one : spoken) {
+    hash.add(one.time_s);
+    hash.add(one.mouth);
+  }
+}
+
 /// Documents of before there was sound are hashed as ever.
 void add_sound(StateHash& hash, const Document& document) {
   if (document.sound) {
@@ -129,17 +137,11 @@ void add_sound(StateHash& hash, const Document& document) {
       hash.add(one.value);
     }
   }
-  if (!document.spoken) return;
-  hash.add("spoken");
-  for (const SpokenMouth& one : *document.spoken) {
-    hash.add(one.time_s);
-    hash.add(one.mouth);
-  }
+  if (document.spoken) add_spoken(hash, *document.spoken);
 }
 
-base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
-  StateHash hash;
-  for (const PoseKey& key : document.timeline->keys) {
+void add_keys(StateHash& hash, const Timeline& timeline) {
+  for (const PoseKey& key : timeline.keys) {
     hash.add(key.time_s);
     hash.add(std::span<const double>(static_cast<const rig::Pose&>(key.pose)));
     hash.add(key.name);
@@ -151,6 +153,26 @@ base::Hash128 hash_keys(const Document& document, const base::Hash128& animation
       hash.add(control.out);
     }
   }
+}
+
+void add_clip(StateHash& hash, const Document& document, std::size_t number) {
+  const Clip& clip = *document.clips[number];
+  hash.add(clip.name);
+  if (number == document.clip) return;
+  hash.add(std::uint64_t{clip.timeline->keys.size()});
+  add_keys(hash, *clip.timeline);
+  if (clip.spoken) add_spoken(hash, *clip.spoken);
+}
+
+base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
+  StateHash hash;
+  add_keys(hash, *document.timeline);
+  if (!document.clips.empty()) {
+    hash.add("clips");
+    hash.add(std::uint64_t{document.clips.size()});
+    hash.add(std::uint64_t{document.clip});
+  }
+  for (std::size_t i = 0; i < document.clips.size(); ++i) add_clip(hash, document, i);
   add_digest(hash, animations);
   add_sound(hash, document);
   return hash.digest();
@@ -206,11 +228,16 @@ DocumentState DocumentHasher::operator()(const Document& document) {
     skeleton_ = model.skeleton;
     surface_ = hash_surface(model);
   }
-  if (animated_ != document.model) {
+  std::vector<std::size_t> opened;
+  for (const auto& clip : document.clips) {
+    if (clip->animation) opened.push_back(*clip->animation);
+  }
+  if (animated_ != document.model || opened_ != opened) {
     animated_ = document.model;
     StateHash hash;
-    add_animations(hash, model.animations);
+    add_animations(hash, model.animations, opened);
     animations_ = hash.digest();
+    opened_ = std::move(opened);
   }
   const std::array<base::Hash128, k_state_parts.size()> parts{surface_, hash_deformers(document),
                                                               hash_parameters(document), hash_curves(document),

@@ -44,6 +44,7 @@ class DocumentHasher {
   std::shared_ptr<const rig::Skeleton> skeleton_;
   base::Hash128 surface_;
   std::shared_ptr<const Model> animated_;
+  std::vector<std::size_t> opened_;  ///< animations of it that are clips
   base::Hash128 animations_;
 };
 

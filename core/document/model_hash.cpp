@@ -95,9 +95,12 @@ void add_curves(base::StateHash& hash, std::span<const NamedCurve> curves) {
   }
 }
 
-void add_animations(base::StateHash& hash, std::span<const Animation> animations) {
-  hash.add(std::uint64_t{animations.size()});
-  for (const Animation& animation : animations) {
+void add_animations(base::StateHash& hash, std::span<const Animation> animations,
+                    std::span<const std::size_t> without) {
+  hash.add(std::uint64_t{animations.size() - without.size()});
+  for (std::size_t a = 0; a < animations.size(); ++a) {
+    if (std::find(without.begin(), without.end(), a) != without.end()) continue;
+    const Animation& animation = animations[a];
     hash.add(animation.name);
     hash.add(std::uint64_t{animation.channels.size()});
     for (const Channel& channel : animation.channels) {

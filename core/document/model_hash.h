@@ -14,6 +14,7 @@ namespace penpose::document {
 void add_parameters(base::StateHash& hash, const rig::Rig& rig);
 void add_mesh_points(base::StateHash& hash, std::span<const mesh::MeshPoint> points);
 void add_curves(base::StateHash& hash, std::span<const NamedCurve> curves);
-void add_animations(base::StateHash& hash, std::span<const Animation> animations);
+/// Without those of these numbers.
+void add_animations(base::StateHash& hash, std::span<const Animation> animations, std::span<const std::size_t> without);
 
 }  // namespace penpose::document

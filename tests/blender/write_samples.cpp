@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/document/commands/apply.h"
 #include "core/document/time/animation_building.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/read_model.h"
@@ -107,6 +108,37 @@ document::Model trunk() {
   return document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
 }
 
+/// The head with keys of single controls, of all kinds beside each other, that were bent, broken down and trimmed.
+document::Document keyed_head(document::Model model) {
+  using namespace document;  // NOLINT(google-build-using-namespace): every line names a command
+  tests::Shaker random(11);
+  Document head = make_document(std::move(model));
+  const auto parameters = head.model->rig->parameters();
+  const std::size_t weights = weight_count(*head.model);
+  ApplyWorkspace work;
+  const auto does = [&](const Command& command) { head = apply(head, command, work).value(); };
+  for (const double time_s : {0.0, 0.25, 0.75, 1.25, 2.0}) {
+    SetParameters pose;
+    SetKey key{time_s, ""};
+    SetKeyKind kinds;
+    for (std::size_t i = 0; i < weights; ++i) {
+      if (time_s > 0 && time_s < 2 && random() > 0.3) continue;
+      const rig::Parameter& p = parameters[i];
+      pose.values.push_back({p.name, p.minimum + (0.5 + 0.5 * random()) * (p.maximum - p.minimum)});
+      key.names.push_back(p.name);
+    }
+    does(pose);
+    does(key);
+    for (std::size_t k = 0; k < key.names.size(); ++k)
+      does(
+          SetKeyKind{{{time_s}, {key.names[k]}}, static_cast<KeyKind>((k + static_cast<std::size_t>(4 * time_s)) % 7)});
+    does(SetKeySlopes{time_s, key.names.front(), 0.7, -0.4});
+  }
+  does(Tween{1, 1.2, {}});
+  does(TrimClip{0.1, 1.9});
+  return head;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -118,6 +150,7 @@ int main(int argc, char** argv) {
   good = write(folder, "head_clip", animated(document::model_of(demo.document))) && good;
   // The demo as it is written, its timeline of smooth keys and all.
   good = write_file(folder, "demo", io::write_project(demo.document), false) && good;
+  good = write_file(folder, "keyed", io::write_project(keyed_head(*demo.document.model)), false) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;

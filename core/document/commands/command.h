@@ -13,6 +13,7 @@
 #include "core/document/commands/list/posing_commands.h"
 #include "core/document/commands/list/sound_commands.h"
 #include "core/document/commands/list/target_commands.h"
+#include "core/document/commands/list/time/clip_commands.h"
 #include "core/document/commands/list/time_commands.h"
 
 // The commands: the only way to change a document. Each is a plain struct that says what it is called and, in
@@ -33,7 +34,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands>::Type;
+                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {

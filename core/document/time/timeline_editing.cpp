@@ -69,6 +69,22 @@ std::optional<std::size_t> key_at(const Timeline& timeline, double time_s) {
   return place;
 }
 
+Timeline trimmed(const Timeline& timeline, std::span<const rig::Parameter> parameters, double from_s, double to_s) {
+  TimelineEditing keys(timeline, parameters, rig::Pose(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    keys.cut(p, from_s);
+    keys.cut(p, to_s);
+  }
+  Timeline whole = std::move(keys).finish();
+  Timeline part;
+  for (PoseKey& key : whole.keys) {
+    if (key.time_s < from_s || key.time_s > to_s) continue;
+    key.time_s -= from_s;
+    part.keys.push_back(std::move(key));
+  }
+  return settled(std::move(part), parameters);
+}
+
 Timeline settled(Timeline timeline, std::span<const rig::Parameter> parameters) {
   std::erase_if(timeline.keys, [](const PoseKey& key) { return key.controls.empty(); });
   const bool usual =
@@ -169,6 +185,38 @@ void TimelineEditing::open_span(std::size_t parameter, double from_s, double to_
   }
   set(from_s, parameter, from_value, from);
   set(to_s, parameter, to_value, to);
+}
+
+void TimelineEditing::cut(std::size_t parameter, double time_s) {
+  const std::size_t place = first_from(before_, time_s);
+  if (const auto there = key_at(before_, time_s); there && before_.keys[*there].controls.has(parameter)) return;
+  const auto before = place > 0 ? key_before(before_, parameter, place - 1) : std::nullopt;
+  const auto after = key_after(before_, parameter, place);
+  if (!before) return;
+  const ControlKey known = before_.keys[*before].controls[parameter];
+  if (!after) {
+    set(time_s, parameter, before_.keys[*before].pose[parameter], known);
+    return;
+  }
+  const KeySegment segment = document::segment_of(before_, parameter, *before, *after);
+  const double value = value_at(segment, time_s);
+  if (segment.kind == KeyKind::linear || segment.kind == KeyKind::stepped) {
+    set(time_s, parameter, value, known);
+    return;
+  }
+  const double slope = document::slope_at(segment, time_s);
+  const ControlKey from = with_slopes(before_, *before, parameter);
+  set(segment.from_s, parameter, segment.from, {KeyKind::free, from.in, document::slope_at(segment, segment.from_s)});
+  set(time_s, parameter, value, {KeyKind::free, slope, slope});
+  // Only free keys end a curve with a slope of their own; one that becomes free needs another at the end of its own
+  // curve.
+  for (auto at = after; at; at = key_after(before_, parameter, *at + 1)) {
+    const PoseKey& key = before_.keys[*at];
+    const ControlKey slopes = with_slopes(before_, *at, parameter);
+    if (slopes.kind == KeyKind::stepped) break;
+    set(key.time_s, parameter, key.pose[parameter], {KeyKind::free, slopes.in, slopes.out});
+    if (slopes.kind == KeyKind::smooth || slopes.kind == KeyKind::free) break;
+  }
 }
 
 void TimelineEditing::bend(double time_s, std::size_t parameter, double value, double slope, bool before, bool after) {

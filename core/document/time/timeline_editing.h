@@ -23,6 +23,9 @@ class TimelineEditing {
   /// Takes away the keys of a control in a span of time and sets free ones at its ends, so that its curve before and
   /// after it stays (for a key behind it that eases, nearly). Precondition: from_s < to_s.
   void open_span(std::size_t parameter, double from_s, double to_s);
+  /// Sets a key where the curve of a control goes at a moment, which stays as it is (before a stepped key, nearly).
+  /// Nothing before its first key.
+  void cut(std::size_t parameter, double time_s);
   /// Sets a free key with one slope; where `before` or `after` is false, that side keeps the slope of open_span.
   void bend(double time_s, std::size_t parameter, double value, double slope, bool before, bool after);
   /// Names the moment; without a key there it has none.
@@ -48,6 +51,11 @@ class TimelineEditing {
 
 /// The place of a moment in the list of keys. Nothing: no key is there.
 [[nodiscard]] std::optional<std::size_t> key_at(const Timeline& timeline, double time_s);
+
+/// The keys of a span of time, which then begins at 0, with keys at both ends where a curve goes through them.
+/// Precondition: from_s < to_s, moments on the timeline.
+[[nodiscard]] Timeline trimmed(const Timeline& timeline, std::span<const rig::Parameter> parameters, double from_s,
+                               double to_s);
 
 /// Brings keys into the form in which TimelineEditing leaves them, as for keys that were read from a file.
 [[nodiscard]] Timeline settled(Timeline timeline, std::span<const rig::Parameter> parameters);

@@ -80,7 +80,10 @@ base::Result<FilmJob> FilmJob::start(const document::Document& document, const F
     return base::Error{"there is no place for the pictures of the film", "", "set TMPDIR to a folder with room"};
   }
   job.folder_ = folder;
-  if (auto saved = files::save_document(document, folder + "/model.glb", files::SaveNotes::quiet); !saved) {
+  // The clip that is shown, which then is the first animation.
+  document::Document shown = document;
+  shown.clips.clear();
+  if (auto saved = files::save_document(shown, folder + "/model.glb", files::SaveNotes::quiet); !saved) {
     return saved.error();
   }
   if (auto written = write_text(folder + "/camera.json", camera_text(order.camera)); !written) return written.error();

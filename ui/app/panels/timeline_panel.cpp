@@ -231,6 +231,14 @@ void beside_strip(PanelContext& context, const TimelineOwners& with, Show show) 
   ImGui::SetCursorPos(corner);
 }
 
+/// The clip that is shown, or how many animations of the file wait to be opened; empty: there is one timeline only.
+std::string clip_label(const document::Document& document) {
+  if (!document.clips.empty()) return fitted_text(document.clips[document.clip]->name, 5 * ImGui::GetFontSize());
+  const std::size_t animations = document.model->animations.size();
+  if (animations == 0) return {};
+  return std::to_string(animations) + (animations == 1 ? " animation" : " animations");
+}
+
 void show_buttons(PanelContext& context, const TimelineOwners& with) {
   // A button may put another timeline in its place.
   const auto held = with.editing.document().timeline;
@@ -256,6 +264,11 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   rate.shows = [&with](PanelContext& panel, float width) { show_rate(panel, with, width); };
   rate.width = 2.1F * context.unit;
   row.add(std::move(rate));
+  if (const std::string clip = clip_label(with.editing.document()); !clip.empty()) {
+    ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}), tooltip_of(Action{"clips"})};
+    clips.does = [&] { context.actions.run(Action{"clips"}); };
+    row.add(std::move(clips));
+  }
   row.add(Action::key_pose);
   row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/text/letters.h"
-#include "core/document/time/timeline_animation.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/internal/gltf_source.h"
 #include "core/io/gltf/read/internal/gltf_animations.h"
@@ -250,16 +249,19 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
   if (project == nullptr || read_model->of_another_edition) return document::make_document(std::move(model));
   auto read = read_project(*project, json::child(json::child("/extras", k_extras_key), "project"), std::move(model));
   if (!read) return read;
-  // The timeline stands in the project exactly, and for other programs as the first animation, unless it moves nothing
-  // that animations know.
-  const document::Model& whole = *read->model;
-  const bool as_animation = !whole.animations.empty() && whole.animations.front().name == "timeline" &&
-                            !document::to_animation(whole, *read->timeline).channels.empty();
-  if (as_animation) {
-    document::Model rest = whole;
-    rest.animations.erase(rest.animations.begin());
-    read->model = std::make_shared<const document::Model>(std::move(rest));
+  // Clips that were made here stand in the project exactly, and for other programs as the first animations, unless they
+  // move nothing that animations know.
+  document::Model rest = *read->model;
+  for (const std::string& name : document::made_animations(*read)) {
+    if (!rest.animations.empty() && rest.animations.front().name == name)
+      rest.animations.erase(rest.animations.begin());
   }
+  for (const auto& clip : read->clips) {
+    if (clip->animation && *clip->animation >= rest.animations.size())
+      return base::Error{"the clip \"" + clip->name + "\" has no animation", "", "save the project again"};
+  }
+  if (rest.animations.size() != read->model->animations.size())
+    read->model = std::make_shared<const document::Model>(std::move(rest));
   return read;
 }
 

@@ -169,7 +169,8 @@ json::Json project_to_json(const Document& document) {
   project["curves"] = std::move(curves);
   if (document.face) project["face"] = face_to_json(*document.face);
   if (document.neutral) project["neutral"] = face_to_json(*document.neutral);
-  project["timeline"] = timeline_to_json(document);
+  project["timeline"] = timeline_to_json(*document.timeline);
+  if (!document.clips.empty()) project["clips"] = clips_to_json(document);
   json::Json views = json::Json::array();
   for (const auto& named : document.views) {
     views.push_back({{"name", named->name}, {"view", document::to_text(named->view)}});
@@ -184,7 +185,7 @@ base::Result<Document> read_project(const json::Json& project, const std::string
   if (!project.is_object()) return project_error("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
   for (const auto read : {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views,
-                          read_project_sound, read_pending}) {
+                          read_project_sound, read_clips, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

@@ -74,8 +74,11 @@ Problem read_mouths(const json::Json& project, const std::string& pointer, docum
   return std::nullopt;
 }
 
-Problem read_spoken(const json::Json& project, const std::string& pointer, document::Document& out) {
-  const json::Json* value = json::find(project, "spoken");
+}  // namespace
+
+Problem read_spoken(const json::Json& object, const std::string& pointer, const document::Mouths& mouths,
+                    std::shared_ptr<const document::SpokenMouths>& out) {
+  const json::Json* value = json::find(object, "spoken");
   if (value == nullptr) return std::nullopt;
   const std::string list = json::child(pointer, "spoken");
   if (!value->is_array() || value->empty() || value->size() > k_most_spoken)
@@ -89,21 +92,25 @@ Problem read_spoken(const json::Json& project, const std::string& pointer, docum
       return project_error("moments were expected that ascend from 0", json::child(here, "time_s"));
     one.time_s = *time;
     one.mouth = text_of((*value)[i], "mouth");
-    if (document::find_mouth(out.mouths, one.mouth) == nullptr)
+    if (document::find_mouth(mouths, one.mouth) == nullptr)
       return project_error("the name of a mouth was expected", json::child(here, "mouth"));
     spoken.push_back(std::move(one));
   }
-  out.spoken = std::make_shared<const document::SpokenMouths>(std::move(spoken));
+  out = std::make_shared<const document::SpokenMouths>(std::move(spoken));
   return std::nullopt;
 }
 
-}  // namespace
-
 Problem read_project_sound(const json::Json& project, const std::string& pointer, document::Document& out) {
-  for (const auto read : {read_sound_reference, read_mouths, read_spoken}) {
+  for (const auto read : {read_sound_reference, read_mouths}) {
     if (auto problem = read(project, pointer, out)) return problem;
   }
-  return std::nullopt;
+  return read_spoken(project, pointer, out.mouths, out.spoken);
+}
+
+void write_spoken(const document::SpokenMouths& spoken, json::Json& object) {
+  json::Json list = json::Json::array();
+  for (const SpokenMouth& one : spoken) list.push_back({{"time_s", one.time_s}, {"mouth", one.mouth}});
+  object["spoken"] = std::move(list);
 }
 
 void write_project_sound(const document::Document& document, json::Json& project) {
@@ -121,10 +128,7 @@ void write_project_sound(const document::Document& document, json::Json& project
     }
     project["mouths"] = std::move(mouths);
   }
-  if (!document.spoken) return;
-  json::Json spoken = json::Json::array();
-  for (const SpokenMouth& one : *document.spoken) spoken.push_back({{"time_s", one.time_s}, {"mouth", one.mouth}});
-  project["spoken"] = std::move(spoken);
+  if (document.spoken) write_spoken(*document.spoken, project);
 }
 
 }  // namespace penpose::io

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "core/document/commands/text_form.h"
+#include "core/document/time/clip.h"
 #include "core/document/time/timeline_editing.h"
+#include "core/io/project/internal/project_sound.h"
 
 namespace penpose::io {
 namespace {
@@ -71,29 +77,13 @@ json::Json controls_to_json(const document::PoseKey& key) {
   return list;
 }
 
-}  // namespace
-
-json::Json timeline_to_json(const document::Document& document) {
-  json::Json keys = json::Json::array();
-  for (const document::PoseKey& key : document.timeline->keys) {
-    json::Json one = {{"time_s", key.time_s}, {"pose", static_cast<const rig::Pose&>(key.pose)}};
-    if (!key.name.empty()) one["name"] = key.name;
-    if (!key.controls.usual()) one["controls"] = controls_to_json(key);
-    keys.push_back(std::move(one));
-  }
-  return {{"keys", std::move(keys)}};
-}
-
-Problem read_timeline(const json::Json& project, const std::string& pointer, document::Document& out) {
-  const json::Json* value = json::find(project, "timeline");
-  if (value == nullptr) return std::nullopt;
-  const std::string here = json::child(pointer, "timeline");
-  if (!value->is_object()) return project_error("an object was expected", here);
+Problem read_keys(const json::Json& value, const std::string& here, std::span<const rig::Parameter> parameters,
+                  std::shared_ptr<const document::Timeline>& out) {
+  if (!value.is_object()) return project_error("an object was expected", here);
   document::Timeline timeline;
-  const json::Json* keys = json::find(*value, "keys");
+  const json::Json* keys = json::find(value, "keys");
   const std::string list = json::child(here, "keys");
   if (keys == nullptr || !keys->is_array()) return project_error("a list of keys was expected", list);
-  const auto parameters = out.model->rig->parameters();
   for (std::size_t i = 0; i < keys->size(); ++i) {
     const std::string at = json::child(list, i);
     document::PoseKey key;
@@ -119,7 +109,92 @@ Problem read_timeline(const json::Json& project, const std::string& pointer, doc
     key.pose = std::move(values);
     timeline.keys.push_back(std::move(key));
   }
-  out.timeline = std::make_shared<const document::Timeline>(document::settled(std::move(timeline), parameters));
+  out = std::make_shared<const document::Timeline>(document::settled(std::move(timeline), parameters));
+  return std::nullopt;
+}
+
+Problem read_clip(const json::Json& value, const std::string& here, const document::Document& document,
+                  document::Clip& out) {
+  const json::Json* name = json::find(value, "name");
+  if (name == nullptr || !name->is_string()) return project_error("a name was expected", json::child(here, "name"));
+  out.name = name->get<std::string>();
+  if (const json::Json* animation = json::find(value, "animation"); animation != nullptr) {
+    const auto number = json::number(*animation);
+    const auto count = static_cast<double>(document.model->animations.size());
+    if (!number || !(*number >= 0 && *number < count) || std::floor(*number) != *number)
+      return project_error("the number of an animation was expected", json::child(here, "animation"));
+    out.animation = static_cast<std::size_t>(*number);
+  }
+  const json::Json* timeline = json::find(value, "timeline");
+  if (timeline == nullptr) return std::nullopt;
+  if (auto problem =
+          read_keys(*timeline, json::child(here, "timeline"), document.model->rig->parameters(), out.timeline))
+    return problem;
+  return read_spoken(value, here, document.mouths, out.spoken);
+}
+
+}  // namespace
+
+json::Json timeline_to_json(const document::Timeline& timeline) {
+  json::Json keys = json::Json::array();
+  for (const document::PoseKey& key : timeline.keys) {
+    json::Json one = {{"time_s", key.time_s}, {"pose", static_cast<const rig::Pose&>(key.pose)}};
+    if (!key.name.empty()) one["name"] = key.name;
+    if (!key.controls.usual()) one["controls"] = controls_to_json(key);
+    keys.push_back(std::move(one));
+  }
+  return {{"keys", std::move(keys)}};
+}
+
+Problem read_timeline(const json::Json& project, const std::string& pointer, document::Document& out) {
+  const json::Json* value = json::find(project, "timeline");
+  if (value == nullptr) return std::nullopt;
+  return read_keys(*value, json::child(pointer, "timeline"), out.model->rig->parameters(), out.timeline);
+}
+
+json::Json clips_to_json(const document::Document& document) {
+  json::Json list = json::Json::array();
+  // Animations that are left out of the file, because nothing is left of them.
+  std::vector<bool> empty(document.model->animations.size());
+  for (std::size_t i = 0; i < document.clips.size(); ++i) {
+    const auto& animation = document.clips[i]->animation;
+    if (animation) empty[*animation] = document::keys_of_clip(document, i).keys.empty();
+  }
+  for (std::size_t i = 0; i < document.clips.size(); ++i) {
+    const document::Clip& clip = *document.clips[i];
+    json::Json one = {{"name", clip.name}};
+    if (clip.animation && !empty[*clip.animation]) {
+      const auto here = empty.begin() + static_cast<std::ptrdiff_t>(*clip.animation);
+      one["animation"] = *clip.animation - static_cast<std::size_t>(std::count(empty.begin(), here, true));
+    }
+    if (i != document.clip) one["timeline"] = timeline_to_json(*clip.timeline);
+    if (clip.spoken) write_spoken(*clip.spoken, one);
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+Problem read_clips(const json::Json& project, const std::string& pointer, document::Document& out) {
+  const json::Json* value = json::find(project, "clips");
+  if (value == nullptr) return std::nullopt;
+  const std::string here = json::child(pointer, "clips");
+  if (!value->is_array() || value->empty() || value->size() > document::k_most_clips)
+    return project_error("a list of clips was expected", here);
+  std::optional<std::size_t> shown;
+  std::set<std::size_t> animations;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    document::Clip clip;
+    const std::string at = json::child(here, i);
+    if (auto problem = read_clip((*value)[i], at, out, clip)) return problem;
+    if (clip.animation && !animations.insert(*clip.animation).second)
+      return project_error("an animation is a clip twice", json::child(at, "animation"));
+    if (!clip.timeline && shown.has_value()) return project_error("keys were expected", json::child(at, "timeline"));
+    if (!clip.timeline) shown = i;
+    if (clip.animation) clip.opened = clip.timeline ? clip.timeline : out.timeline;
+    out.clips.push_back(std::make_shared<const document::Clip>(std::move(clip)));
+  }
+  if (!shown) return project_error("one clip that is shown was expected", here);
+  out.clip = *shown;
   return std::nullopt;
 }
 

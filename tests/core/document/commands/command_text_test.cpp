@@ -77,6 +77,12 @@ std::vector<Command> full_commands() {
           SetMouth{k_strange, {{"jawOpen", 0.5}, {k_strange, -1}}},
           DeleteMouth{k_strange},
           KeyMouths{{0, 1.0 / 24}, {"rest", k_strange}},
+          OpenClip{3},
+          ShowClip{1},
+          AddClip{k_strange, true},
+          NameClip{{k_strange}},
+          DeleteClip{},
+          TrimClip{1.0 / 3, 2},
           KeyPoses{{"jawOpen", k_strange}, {0, 1.0 / 24}, {0.5, 1e-9, 1, -2}}};
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/document/time/animation_sampling.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/internal/project_json.h"
@@ -299,6 +300,46 @@ TEST(ProjectJson, ALockOfAParameterThatIsGoneIsForgotten) {
   nlohmann::json project = full_project();
   project["locked"] = {"up", "gone", "base.rx", "up"};
   EXPECT_EQ(read(project).value().locked, (std::vector<std::string>{"base.rx", "up"}));
+}
+
+TEST(Project, ClipsComeBackWithWhatTheyAreOf) {
+  using namespace document;  // NOLINT(google-build-using-namespace): every line names a command
+  Model model = tests::sheet_model();
+  const Channel lifted{ChannelTarget::weights, 0, Interpolation::linear, {0, 1, 2}, {0, 0, 0.5, 0, 0.25, 0}};
+  const Channel leant{ChannelTarget::weights, 0, Interpolation::linear, {0, 0.5}, {0, 0, 0, 0.5}};
+  model.animations = {{"walk", {lifted}}, {"nod", {leant}}, {"rest", {lifted}}};
+  DocumentHand hand(read_document(io::write_model(model, "a.glb").value(), "a.glb").value());
+  hand.does(SetKey{0.5, "own"});
+  hand.does(OpenClip{1});
+  hand.does(SetMouth{"open", {{"lift", 0.75}}});
+  hand.does(KeyMouths{{0.25}, {"open"}});
+  hand.does(OpenClip{0});
+  hand.does(SetKeyValues{{{1}, {"lift"}}, {0.125}});
+  hand.does(AddClip{"more", true});
+  hand.does(ShowClip{2});
+  const Document again = round_trip(hand.document());
+  ASSERT_EQ(again.clips.size(), 4U);
+  EXPECT_EQ(again.clip, 2U);
+  EXPECT_EQ(again.clips[1]->animation, 1U);
+  EXPECT_EQ(again.clips[2]->animation, 0U);
+  EXPECT_EQ(again.model->animations.size(), 3U);
+  EXPECT_EQ(sample(*again.model, again.model->animations[0], 1).weights[0], 0.125);
+  round_trip(again, "once more");
+}
+
+TEST(Project, AClipWithoutKeysIsNoAnimationAnyMore) {
+  using namespace document;  // NOLINT(google-build-using-namespace): every line names a command
+  Model model = tests::sheet_model();
+  const Channel lifted{ChannelTarget::weights, 0, Interpolation::linear, {0, 1}, {0, 0, 0.5, 0}};
+  model.animations = {{"walk", {lifted}}, {"nod", {lifted}}};
+  DocumentHand hand(read_document(io::write_model(model, "a.glb").value(), "a.glb").value());
+  hand.does(OpenClip{1});
+  hand.does(OpenClip{0});
+  hand.does(DeleteKeys{{{0, 1}, {}}});
+  const Document again = round_trip(hand.document());
+  ASSERT_EQ(again.model->animations.size(), 1U);
+  EXPECT_EQ(again.clips[0]->animation, 0U);
+  EXPECT_FALSE(again.clips[1]->animation.has_value());
 }
 
 }  // namespace

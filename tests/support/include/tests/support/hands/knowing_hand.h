@@ -366,6 +366,30 @@ class KnowingHand {
     return command;
   }
 
+  document::Command make(Tag<document::OpenClip>) {
+    const std::size_t animations = doc().model->animations.size();
+    if (animations == 0) return make(Tag<document::AddClip>{});
+    return document::OpenClip{static_cast<std::uint32_t>(random_.below(animations))};
+  }
+  document::Command make(Tag<document::ShowClip>) {
+    if (doc().clips.empty()) return make(Tag<document::AddClip>{});
+    return document::ShowClip{static_cast<std::uint32_t>(random_.below(doc().clips.size()))};
+  }
+  document::Command make(Tag<document::AddClip>) {
+    return document::AddClip{"clip " + std::to_string(random_.below(1000)), random_.chance(0.5)};
+  }
+  document::Command make(Tag<document::NameClip>) {
+    return document::NameClip{{"clip " + std::to_string(random_.below(1000))}};
+  }
+  document::Command make(Tag<document::DeleteClip>) {
+    if (doc().clips.size() < 2) return make(Tag<document::AddClip>{});
+    return document::DeleteClip{};
+  }
+  document::Command make(Tag<document::TrimClip>) {
+    const double from_s = random_.real(0, 1);
+    return document::TrimClip{from_s, from_s + random_.real(0.1, 2)};
+  }
+
   /// One stroke of any tool, and before it what it goes on from where that is not there.
   void stroke() {
     drawing::Tool tool;
