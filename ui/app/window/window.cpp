@@ -306,8 +306,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     const unsigned before = std::exchange(looks, tablets.looks());
     if (looks != before && state_->screen.lacks_input()) {
       drawing->reset();
-      status = state_->restart();
-      if (!status) break;
+      if (const auto restarted = state_->restart(); !restarted) return restarted;
       drawing = start_drawing();
       if (!drawing) return drawing.error();
       thread = drawing->get();
