@@ -91,7 +91,7 @@ class Opening {
 
   /// Adds a key at the later end, and before it those without which the angles would be off in between.
   void add_until(const Channel& channel, const Turned& from, const Turned& to, int depth, std::vector<Turned>& out) {
-    constexpr double k_off = 0.05 * std::numbers::pi / 180.0;
+    constexpr double k_off = 0.2 * std::numbers::pi / 180.0;
     constexpr int k_deepest = 6;
     const double middle_s = 0.5 * (from.time_s + to.time_s);
     if (depth < k_deepest && middle_s > from.time_s && middle_s < to.time_s) {

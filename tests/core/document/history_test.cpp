@@ -102,6 +102,13 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   does(SketchCurve{articulation::CurveRole::target, place.view, place.line(-0.1, 0.05, 0.4, 0.05)});
   does(DeleteCorrection{"both"});
   undo_and_redo_all(script, first, "other targets");
+  Model moving = tests::sheet_model();
+  moving.animations = {{"lift", {{ChannelTarget::weights, 0, Interpolation::linear, {0, 1}, {0, 0, 1, 0}}}}};
+  tests::SessionScript animated(make_document(std::move(moving)));
+  EXPECT_TRUE(animated.perform(OpenClip{0}).ok());
+  EXPECT_TRUE(animated.editor().undo());
+  EXPECT_TRUE(animated.editor().redo());
+  undone.emplace(animated.editor().history().next_undo());
   for (; script.editor().history().undo_count() > 0; static_cast<void>(script.editor().undo())) {
     undone.emplace(script.editor().history().next_undo());
   }

@@ -66,6 +66,8 @@ class Monkey {
       }
       default:
         desk_.frames(1);
+        // Nobody stays in a dialog for long.
+        if (app.of<Dialogs>().any() && below(4) == 0) app.of<Actions>().run(Action::cancel);
         break;
     }
     desk_.now_us += below(20000);

@@ -233,7 +233,7 @@ void beside_strip(PanelContext& context, const TimelineOwners& with, Show show) 
 
 /// The clip that is shown, or how many animations of the file wait to be opened; empty: there is one timeline only.
 std::string clip_label(const document::Document& document) {
-  if (!document.clips.empty()) return fitted_text(document.clips[document.clip]->name, 5 * ImGui::GetFontSize());
+  if (!document.clips.empty()) return fitted_text(document::shown_clip_name(document), 5 * ImGui::GetFontSize());
   const std::size_t animations = document.model->animations.size();
   if (animations == 0) return {};
   return std::to_string(animations) + (animations == 1 ? " animation" : " animations");

@@ -557,7 +557,12 @@ class KnowingHand {
       "set_mouth",
       "delete_mouth",
       "key_mouths",
-  };
+      "open_clip",
+      "show_clip",
+      "add_clip",
+      "name_clip",
+      "delete_clip",
+      "trim_clip"};
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;
