@@ -16,12 +16,12 @@
 #include "ui/app/files/player.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/files/recovery.h"
+#include "ui/app/film/film_writer.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
-#include "ui/app/playback/film_writer.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
@@ -96,7 +96,6 @@ class App {
   Playback playback_;
   Keys keys_;
   Performer performer_;
-  FilmWriter film_;
   SuggestionOffer offer_;
   ReadingOffer readings_;
   ArcsInSight arcs_;
@@ -106,6 +105,7 @@ class App {
   UndrawnTextures undrawn_;
   Files files_;
   SoundTrack sound_;
+  FilmWriter film_;
   Leaving leaving_;
   Recovery recovery_;
   HandDesk desk_;

@@ -17,6 +17,7 @@ Subcommand track_subcommand();
 Subcommand animate_subcommand();
 Subcommand mouths_subcommand();
 Subcommand render_subcommand();
+Subcommand film_subcommand();
 Subcommand convert_subcommand();
 Subcommand serve_subcommand();
 
@@ -36,6 +37,7 @@ std::span<const Subcommand> subcommands() {
       animate_subcommand(),     //
       mouths_subcommand(),      //
       render_subcommand(),      //
+      film_subcommand(),        //
       convert_subcommand(),     //
       serve_subcommand(),       //
   };

@@ -23,6 +23,7 @@ void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, Pane
 void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&);
+void show_film(PanelContext&, const Area&, Canvas&, FilmWriter&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Preferences&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_tour_ghost(PanelContext&, const Area&, Canvas&, TourGuide&, Dialogs&);
@@ -63,6 +64,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},
     PanelRow{PanelPlace::canvas, show<show_readings>},
+    PanelRow{PanelPlace::canvas, show<show_film>},
     PanelRow{PanelPlace::canvas, show<show_notices>},
     PanelRow{PanelPlace::window, show<show_radial_menu>},
     PanelRow{PanelPlace::window, [](PanelContext& context, const Area&, App& app) { show_dialog(context, app); }},

@@ -61,7 +61,7 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
   // Two columns, so that it ends above the window's foot.
   ImGui::BeginGroup();
   actions({Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film,
-           Action::backdrop, Action{"sound"}});
+           Action{"playblast"}, Action::backdrop, Action{"sound"}});
   if (context.actions.usable(Action::up_axis)) actions({Action::up_axis, Action::left_handed});
   if (entry("Sessions", icon::k_session, "What was drawn before, to play or to go on with")) {
     with.dialogs.show(Dialog::sessions);

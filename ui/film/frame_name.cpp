@@ -1,8 +1,8 @@
-#include "ui/cli/model/frame_name.h"
+#include "ui/film/frame_name.h"
 
 #include <algorithm>
 
-namespace penpose::cli {
+namespace penpose::film {
 
 std::string frame_name(const std::string& pattern, std::size_t number) {
   std::string stem = pattern.ends_with(".png") ? pattern.substr(0, pattern.size() - 4) : pattern;
@@ -14,4 +14,4 @@ std::string frame_name(const std::string& pattern, std::size_t number) {
   return stem + digits + ".png";
 }
 
-}  // namespace penpose::cli
+}  // namespace penpose::film
