@@ -137,7 +137,7 @@ TEST(Overlap, ALeadersMotionIsTakenByTheSharesOfBothRanges) {
   // Two of eight units are one of four.
   EXPECT_EQ(way.trailed({}).values.front(), 0.5);
   EXPECT_NEAR(way.trailed({}).values.back(), 1.5, 1e-12);
-  EXPECT_NEAR(way.trailed_at({}, 0.5 + 4.0 / k_overlap_rate), 1.0, 1e-9);
+  EXPECT_NEAR(way.trailed_at({}, 0.5 + 4.0 / k_overlap_rate), 1.0, 1e-7);
   overlap.amount = -0.5;
   EXPECT_NEAR(LedWay(timeline, k_wide, overlap).trailed({}).values.back(), 0, 1e-12);
 }
