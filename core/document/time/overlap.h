@@ -19,7 +19,7 @@ struct Spring {
 
 /// Springs that swing farther do not come to rest within the time of a shot.
 inline constexpr double k_most_swing = 0.8;
-inline constexpr double k_longest_period_s = 8;
+inline constexpr double k_longest_period_frames = 96;
 
 /// The damping ratio with which a step is overshot by that share, 0..k_most_swing: 1 for none, else
 /// -ln s / sqrt(pi^2 + ln^2 s).

@@ -66,7 +66,7 @@ double nearest_between(const Misses& misses, double from, double to) {
 FoundSpring spring_through(const LedWay& way, const Spring& now, double time_s, double value, int rate) {
   const Misses misses{way, now, time_s, way.in_range(value)};
   const double least_s = k_least_period_frames / rate;
-  const double ratio = base::log(k_longest_period_s / least_s) / k_cells;
+  const double ratio = base::log(k_longest_period_frames / k_least_period_frames) / k_cells;
   std::vector<double> periods{0};
   for (int k = 0; k <= k_cells; ++k) periods.push_back(least_s * base::exp(ratio * k));
   std::vector<double> off;

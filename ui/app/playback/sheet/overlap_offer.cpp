@@ -112,12 +112,19 @@ rig::Pose OverlapOffer::pose_at(double time_s) const {
 
 void OverlapOffer::show_by_drawing(bool on) {
   if (on == shows_ || !open()) return;
+  if (on && !keyed())
+    return notices_.tell("the pose here is not on the timeline yet: Key it first, so that drawing does not lose it");
   shows_ = on;
   // Going through time, the pose to draw on is none that could be lost.
   playback_.carry_poses(!on);
   if (!on) return take_back();
   playback_.stop();
   commands_ = editing_.editor().history().undo_count();
+}
+
+bool OverlapOffer::keyed() const {
+  const document::Document& document = editing_.document();
+  return document.pose == document::pose_at(document, document.time_s);
 }
 
 void OverlapOffer::pose_for_drawing() {
@@ -211,9 +218,7 @@ void OverlapOffer::follow() {
   if (!open()) return;
   const document::Document& document = editing_.document();
   const bool same = document.model->rig == rig_ && (document.timeline == timeline_ || *document.timeline == *timeline_);
-  if (!same ||
-      (!shows_ && editing_.revision() != revision_ && document.pose != document::pose_at(document, document.time_s)))
-    return end();
+  if (!same || (!shows_ && editing_.revision() != revision_ && !keyed())) return end();
   if (editing_.pen_is_drawing() || editing_.shown().live().active() || editing_.shown().face().active()) return;
   if (shows_) follow_drawing();
   revision_ = editing_.revision();
@@ -223,6 +228,7 @@ void OverlapOffer::follow() {
 void OverlapOffer::bake() {
   if (!open()) return;
   if (shows_) show_by_drawing(false);
+  const bool follows = keyed();
   const auto baked = std::exchange(trailing_, {});
   std::size_t keys = 0;
   bool first = true;
@@ -232,7 +238,8 @@ void OverlapOffer::bake() {
     keys += one.keys.times_s.size();
   }
   end();
-  editing_.perform_with(document::GoToTime{playback_.time_s()});
+  if (keys == 0) return;
+  if (follows) editing_.perform_with(document::GoToTime{playback_.time_s()});
   notices_.tell("baked as " + std::to_string(keys) + " keys of " + std::to_string(baked.size()) +
                 (baked.size() == 1 ? " control" : " controls"));
 }

@@ -25,7 +25,7 @@ struct OverlapValues {
 };
 
 inline constexpr double k_most_delay_frames = 24;
-inline constexpr double k_most_period_frames = 96;
+inline constexpr double k_most_period_frames = document::k_longest_period_frames;
 
 /// Controls whose keys are selected trail: shown on the face and as curves while it is open, and no keys before they
 /// are baked. Anything else that changes the document ends it, unless the artist shows by drawing where the trailing
@@ -78,6 +78,8 @@ class OverlapOffer {
   void pose_for_drawing();
   /// Takes back that pose and what was drawn on it.
   void take_back();
+  /// The pose is that of the timeline, and not one that going elsewhere would lose.
+  [[nodiscard]] bool keyed() const;
   void follow_drawing();
   void end();
 
