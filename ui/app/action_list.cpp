@@ -80,7 +80,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback, Controls& controls, FilmWriter& film) {
+            SuggestionOffer& offer, Playback& playback, Controls& controls, FilmWriter& film, OverlapOffer& overlap) {
   if (panels.radial) {
     panels.radial.reset();
   } else if (panels.curve_menu) {
@@ -89,6 +89,8 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     close_dialog(dialogs, preferences);
   } else if (offer.open()) {
     offer.dismiss(editing);
+  } else if (overlap.open()) {
+    overlap.dismiss();
   } else if (playback.playing()) {
     playback.play_or_stop();
   } else if (controls.lent().lent()) {

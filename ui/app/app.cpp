@@ -38,8 +38,10 @@ App::App(AppOptions options)
       controls_(editing_, notices_, canvas_, panels_),
       playback_(options_.clock, editing_, notices_, preferences_),
       keys_(editing_, notices_, playback_),
+      overlap_(editing_, playback_, keys_, notices_),
       performer_(editing_, notices_, playback_, player_),
-      tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_}),
+      ghosts_(editing_, playback_, notices_),
+      tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
       curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
@@ -65,7 +67,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_) {
+              sound_, overlap_, ghosts_) {
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
@@ -85,6 +87,7 @@ App::~App() {
 }
 
 void App::show_anew() {
+  overlap_.forget();
   playback_.begin();
   controls_.open_document();
   curves_.forget();
@@ -136,8 +139,9 @@ void App::advance() {
   performer_.follow(now);
   controls_.tell_doubt_of_feature();
   offer_.follow(editing_);
-  readings_.follow(editing_, offer_.open() || tour_.active() || player_.plays_session() || playback_.playing() ||
-                                 performer_.performing() || sketches(editing_.editor().tool()));
+  overlap_.follow();
+  readings_.follow(editing_, offer_.open() || overlap_.open() || tour_.active() || player_.plays_session() ||
+                                 playback_.playing() || performer_.performing() || sketches(editing_.editor().tool()));
 }
 
 std::int64_t App::wait_for_rest(std::int64_t now_us) {
@@ -158,7 +162,7 @@ void App::follow_habits() {
   // What is played has its own commands.
   if (!player_.plays_session()) {
     habits.mirrors = playback_.while_drawing().mirrors;
-    if (playback_.while_drawing().auto_key && !playback_.playing() && !performer_.performing())
+    if (playback_.while_drawing().auto_key && !overlap_.open() && !playback_.playing() && !performer_.performing())
       habits.keys.emplace(playback_.time_s(), keys_.name_at(playback_.time_s()));
   }
   editing_.habits() = habits;
@@ -169,12 +173,12 @@ void App::begin_frame() {
   canvas_.surface().update(editing_.shown().model(), editing_.shown().pose());
   CurveLook look;
   look.scale = static_cast<float>(canvas_.scale());
-  look.onion_skin = look_.onion_skin;
   // Lines of the moment in which a performance began are those that it pulls at.
   look.time_s = performer_.performing() ? editing_.document().time_s : playback_.time_s();
   look.window = canvas_.window();
   look.stabiliser = preferences_.settings().stabiliser;
   look.tool = &tool_.now();
+  look.onion_skin = look_.onion_skin || look.tool->shows_ghosts;
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
   // Where the features are is found once the pen comes near the face.

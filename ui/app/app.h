@@ -22,9 +22,11 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
+#include "ui/app/playback/ghosts.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/sheet/overlap_offer.h"
 #include "ui/app/preferences.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
@@ -95,10 +97,12 @@ class App {
   Controls controls_;
   Playback playback_;
   Keys keys_;
+  OverlapOffer overlap_;
   Performer performer_;
   SuggestionOffer offer_;
   ReadingOffer readings_;
   ArcsInSight arcs_;
+  GhostHand ghosts_;
   ToolInHand tool_;
   CurvesInHand curves_;
   TourGuide tour_;
@@ -123,7 +127,8 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
+             GhostHand&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

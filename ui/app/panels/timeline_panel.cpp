@@ -286,6 +286,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(std::move(kind));
   row.add(Action::dope_sheet, with.shown().part == TimelinePart::sheet, true, false);
   row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
+  row.add(Action{"overlap"}, with.overlap.open(), true, false);
   row.add(Action::onion_skin, with.look.onion_skin);
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
@@ -317,8 +318,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound) {
-  const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, OverlapOffer& overlap, GhostHand& ghosts) {
+  const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
     // A small window has no room for more.
@@ -328,6 +329,7 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
           with.shown().all_rows = !with.shown().all_rows;
       });
       show_ruler(context, with);
+      show_ghost_reach(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
