@@ -65,7 +65,7 @@ std::vector<std::string> spelt(std::string_view word) {
   return out;
 }
 
-std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictionary) {
+std::vector<SaidWord> said_words(std::string_view text, base::Bytes dictionary) {
   const std::vector<std::string> words = words_of(text);
   std::map<std::string, std::vector<std::string>, std::less<>> said;
   for (const std::string& word : words) said.emplace(word, std::vector<std::string>());
@@ -79,13 +79,30 @@ std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictiona
     const auto found = said.find(line.substr(0, gap));
     if (found != said.end() && found->second.empty()) append_phonemes(found->second, line.substr(gap + 1));
   }
-  std::vector<std::string> out;
+  std::vector<SaidWord> out;
   for (const std::string& word : words) {
     const auto& known = said.find(word)->second;
-    const std::vector<std::string> sounds = known.empty() ? spelt(word) : known;
-    out.insert(out.end(), sounds.begin(), sounds.end());
+    out.push_back({word, known.empty() ? spelt(word) : known});
   }
   return out;
+}
+
+std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictionary) {
+  std::vector<std::string> out;
+  for (const SaidWord& one : said_words(text, dictionary))
+    out.insert(out.end(), one.phonemes.begin(), one.phonemes.end());
+  return out;
+}
+
+std::vector<HeardWord> words_heard(const std::vector<Phone>& phones) {
+  std::vector<HeardWord> words;
+  bool goes_on = false;
+  for (const Phone& phone : phones) {
+    if (!phone.word.empty()) words.push_back({phone.word, phone.from_s, phone.to_s});
+    goes_on = !phone.word.empty() || (goes_on && !phone.name.empty());
+    if (goes_on) words.back().to_s = phone.to_s;
+  }
+  return words;
 }
 
 }  // namespace penpose::speech

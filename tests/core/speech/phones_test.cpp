@@ -22,5 +22,13 @@ TEST(Phones, AWordThatNobodyKnowsIsSpelt) {
   EXPECT_EQ(spelt("pumma"), (Names{"P", "AH", "M", "AE"}));
 }
 
+TEST(Phones, WordsLastUpToTheNextOneOrAPause) {
+  const std::vector<Phone> phones{{"", 0, 0.5},     {"M", 0.5, 0.6, "my"}, {"AY", 0.6, 0.8},     {"T", 0.8, 0.9, "toe"},
+                                  {"OW", 0.9, 1.2}, {"", 1.2, 1.5},        {"AH", 1.5, 1.6, "a"}};
+  const std::vector<HeardWord> words{{"my", 0.5, 0.8}, {"toe", 0.8, 1.2}, {"a", 1.5, 1.6}};
+  EXPECT_EQ(words_heard(phones), words);
+  EXPECT_TRUE(words_heard({{"", 0, 1}, {"AA", 1, 2}}).empty()) << "by ear nobody knows them";
+}
+
 }  // namespace
 }  // namespace penpose::speech

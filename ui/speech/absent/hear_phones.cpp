@@ -4,7 +4,7 @@ namespace penpose::speech {
 
 bool hears_speech() { return false; }
 
-base::Result<std::vector<Phone>> hear_phones(const sound::Sound&, const std::string&, const std::string&) {
+base::Result<std::vector<Phone>> hear_phones(const sound::Sound&, const std::string&, const std::string&, Listening*) {
   return base::Error{"this program was built without speech", "",
                      "build it with PocketSphinx and PENPOSE_SPEECH=ON, or give cues of Rhubarb or Papagayo"};
 }

@@ -6,9 +6,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <pocketsphinx.h>
+#include <sphinxbase/cmn.h>
 #include <sphinxbase/err.h>
+#include <sphinxbase/fe.h>
+#include <sphinxbase/feat.h>
 #include <sphinxbase/fsg_model.h>
+#include <utility>
 
 #include "core/sound/resample.h"
 #include "ui/files/files.h"
@@ -68,6 +73,47 @@ std::vector<std::int16_t> pcm_of(const sound::Sound& sound) {
   return out;
 }
 
+/// The cepstra of a sound, a row a frame of k_frame_s.
+struct Cepstra {
+  std::vector<mfcc_t> values;
+  std::vector<mfcc_t*> rows;
+};
+
+/// Less the mean of the whole sound, which tells more than that of what was heard so far.
+std::optional<Cepstra> cepstra_of(ps_decoder_t& decoder, const std::vector<std::int16_t>& pcm) {
+  fe_t* front = ps_get_fe(&decoder);
+  const auto width = static_cast<std::size_t>(fe_get_output_size(front));
+  const std::size_t most = pcm.size() / static_cast<std::size_t>(k_rate_hz * k_frame_s) + 8;
+  Cepstra out{std::vector<mfcc_t>(most * width), {}};
+  for (std::size_t i = 0; i < most; ++i) out.rows.push_back(out.values.data() + i * width);
+  const std::int16_t* from = pcm.data();
+  std::size_t left = pcm.size();
+  auto count = static_cast<std::int32_t>(most - 1);
+  std::int32_t last = 0;
+  if (fe_start_utt(front) < 0 || fe_process_frames(front, &from, &left, out.rows.data(), &count, nullptr) < 0)
+    return std::nullopt;
+  fe_end_utt(front, out.rows[static_cast<std::size_t>(count)], &last);
+  out.rows.resize(static_cast<std::size_t>(count + last));
+  feat_t* features = ps_get_feat(&decoder);
+  cmn(features->cmn_struct, out.rows.data(), 0, count + last);
+  features->cmn = CMN_NONE;
+  return out;
+}
+
+/// In short stretches, so that it can be stopped. False: it cannot be listened to.
+bool listen(ps_decoder_t& decoder, const sound::Sound& sound, Listening& listening) {
+  constexpr std::size_t k_stretch = 50;
+  auto cepstra = cepstra_of(decoder, pcm_of(sound));
+  if (!cepstra || ps_start_utt(&decoder) < 0) return false;
+  auto& rows = cepstra->rows;
+  for (std::size_t i = 0; i < rows.size() && !listening.stopped; i += k_stretch) {
+    const std::size_t count = std::min(k_stretch, rows.size() - i);
+    if (ps_process_cep(&decoder, rows.data() + i, static_cast<int>(count), 0, 0) < 0) return false;
+    listening.share = static_cast<double>(i + count) / static_cast<double>(rows.size());
+  }
+  return ps_end_utt(&decoder) >= 0;
+}
+
 base::Error nothing_spoken() { return {"nothing is spoken in the sound", "", "give speech alone, without music"}; }
 
 bool is_phoneme(const std::string& name) {
@@ -91,12 +137,25 @@ std::vector<Phone> heard(ps_decoder_t& decoder, double end_s) {
   return phones;
 }
 
+/// Tells which phonemes begin the words; there are as many as the words have.
+void name_words(std::vector<Phone>& phones, const std::vector<SaidWord>& words) {
+  auto phone = phones.begin();
+  for (const SaidWord& one : words) {
+    bool begins = true;
+    for (std::size_t left = one.phonemes.size(); left > 0 && phone != phones.end(); ++phone) {
+      if (phone->name.empty()) continue;
+      if (std::exchange(begins, false)) phone->word = one.word;
+      --left;
+    }
+  }
+}
+
 }  // namespace
 
 bool hears_speech() { return true; }
 
 base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const std::string& text,
-                                             const std::string& model) {
+                                             const std::string& model, Listening* listening) {
   if (sound.duration_s() > k_longest_speech_s)
     return base::Error{"the sound is longer than 600 s", "", "cut it into scenes"};
   // A text can be laid along anything, silence too.
@@ -108,11 +167,13 @@ base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const st
   const std::string acoustic = folder + "/en-us";
   std::error_code ignored;
   if (!std::filesystem::exists(acoustic + "/mdef", ignored)) return no_model(folder);
+  std::vector<SaidWord> words;
   std::vector<std::string> phonemes;
   if (!text.empty()) {
     const auto dictionary = files::read_file(folder + "/cmudict-en-us.dict", k_most_dictionary_bytes);
     if (!dictionary) return no_model(folder);
-    phonemes = phonemes_of(text, *dictionary);
+    words = said_words(text, *dictionary);
+    for (const SaidWord& one : words) phonemes.insert(phonemes.end(), one.phonemes.begin(), one.phonemes.end());
     if (phonemes.empty()) return base::Error{"the text has no words", "", "give what is said, in English"};
   }
   const std::string phone_model = folder + "/en-us-phone.lm.bin";
@@ -127,16 +188,18 @@ base::Result<std::vector<Phone>> hear_phones(const sound::Sound& sound, const st
                                      "no", "-beam", "1e-120", "-wbeam", "1e-100", "-pbeam", "1e-120", nullptr));
   }
   if (!decoder || (!text.empty() && !take_line(*decoder, phonemes))) return no_model(folder);
-  const std::vector<std::int16_t> pcm = pcm_of(sound);
-  if (ps_start_utt(decoder.get()) < 0 || ps_process_raw(decoder.get(), pcm.data(), pcm.size(), 0, 1) < 0 ||
-      ps_end_utt(decoder.get()) < 0)
-    return base::Error{"the sound cannot be listened to", "", "give speech alone, without music"};
+  Listening alone;
+  Listening& told = listening != nullptr ? *listening : alone;
+  const bool listened = listen(*decoder, sound, told);
+  if (told.stopped) return base::Error{"stopped", "", ""};
+  if (!listened) return base::Error{"the sound cannot be listened to", "", "give speech alone, without music"};
   std::vector<Phone> phones = heard(*decoder, sound.duration_s());
   std::size_t spoken = 0;
   for (const Phone& phone : phones) spoken += phone.name.empty() ? 0U : 1U;
   if (!text.empty() && spoken < phonemes.size())
     return base::Error{"the sound does not say the text", "", "give exactly what is said, or no text"};
   if (spoken == 0) return nothing_spoken();
+  name_words(phones, words);
   return phones;
 }
 
