@@ -94,6 +94,35 @@ std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictiona
   return out;
 }
 
+std::vector<Phone> with_stops(const std::vector<Phone>& said, const std::vector<Phone>& heard) {
+  const auto meet = [](const Phone& a, const Phone& b) { return a.from_s < b.to_s && a.to_s > b.from_s; };
+  std::vector<Phone> out = said;
+  for (Phone stop : heard) {
+    if (stop.name != "P" || stop.to_s - stop.from_s < k_least_stop_s) continue;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Phone& one) {
+      return meet(one, stop) && (one.name == "P" || one.name == "B" || one.name == "M");
+    });
+    if (known) continue;
+    std::vector<Phone> before;
+    std::vector<Phone> after;
+    for (const Phone& one : out) {
+      Phone left = one;
+      left.to_s = std::min(left.to_s, stop.from_s);
+      Phone right = one;
+      right.from_s = std::max(right.from_s, stop.to_s);
+      const bool begins = left.from_s < left.to_s;
+      if (begins) before.push_back(left);
+      if (!begins && meet(one, stop)) stop.word = one.word;
+      if (begins || meet(one, stop)) right.word.clear();
+      if (right.from_s < right.to_s) after.push_back(right);
+    }
+    before.push_back(stop);
+    before.insert(before.end(), after.begin(), after.end());
+    out = std::move(before);
+  }
+  return out;
+}
+
 std::vector<HeardWord> words_heard(const std::vector<Phone>& phones) {
   std::vector<HeardWord> words;
   bool goes_on = false;

@@ -41,6 +41,11 @@ struct HeardWord {
 /// The words that phonemes begin, each up to the next one or a pause.
 [[nodiscard]] std::vector<HeardWord> words_heard(const std::vector<Phone>& phones);
 
+/// What words say with the p's that were heard besides: those of `heard` that last k_least_stop_s and meet no p, b or m
+/// of `said` take their time from what is there. Both are ascending.
+[[nodiscard]] std::vector<Phone> with_stops(const std::vector<Phone>& said, const std::vector<Phone>& heard);
+inline constexpr double k_least_stop_s = 0.06;
+
 /// The phonemes of a word by its letters alone.
 [[nodiscard]] std::vector<std::string> spelt(std::string_view word);
 

@@ -18,6 +18,8 @@
 #include "ui/app/files/recovery.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
+#include "ui/app/mouths/first_pass.h"
+#include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
@@ -106,6 +108,8 @@ class App {
   UndrawnTextures undrawn_;
   Files files_;
   SoundTrack sound_;
+  KeptMouths mouths_;
+  FirstPass first_pass_;
   Leaving leaving_;
   Recovery recovery_;
   HandDesk desk_;
@@ -123,7 +127,8 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, KeptMouths&,
+             FirstPass&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -28,7 +28,7 @@ struct Listening {
                                                            Listening* listening = nullptr);
 inline constexpr double k_longest_speech_s = 600;
 
-/// Whether this build hears speech.
-[[nodiscard]] bool hears_speech();
+/// Whether speech can be heard here. Errors: a build without PocketSphinx, no model in the folder (`model` as above).
+[[nodiscard]] base::Status can_hear(const std::string& model = {});
 
 }  // namespace penpose::speech

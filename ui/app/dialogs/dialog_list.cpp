@@ -29,6 +29,7 @@ void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&,
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
                              PanelState&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
+void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Dialogs&);
 
 namespace {
 
@@ -69,6 +70,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
     DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
+    DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},
 };
 
 }  // namespace

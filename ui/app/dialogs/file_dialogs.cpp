@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <filesystem>
-#include <span>
 
-#include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"

@@ -34,6 +34,8 @@ class FirstPass {
   [[nodiscard]] bool listens() const { return future_.valid() && !listening_->stopped; }
   [[nodiscard]] double share() const { return listens() ? listening_->share.load() : 0; }
   void stop();
+  /// The last pass was.
+  [[nodiscard]] bool stopped() const { return listening_ && listening_->stopped; }
   /// Keys what was heard as soon as it is.
   void follow();
   /// Why the last pass came to nothing; empty: it did not.

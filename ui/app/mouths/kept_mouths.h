@@ -37,6 +37,8 @@ class KeptMouths {
   /// The one that is being drawn again.
   [[nodiscard]] const std::string* redrawn() const { return redrawn_ ? &*redrawn_ : nullptr; }
   void remove(const std::string& name);
+  /// Another document was opened: none is being drawn again.
+  void forget() { redrawn_.reset(); }
   /// Keeps those that the model's own controls make and that are not there yet (speech::usual_mouths), in one step.
   void keep_usual();
   /// Some of them are not there yet.
