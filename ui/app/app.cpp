@@ -49,6 +49,8 @@ App::App(AppOptions options)
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
       film_({editing_, notices_, canvas_, look_, playback_, sound_, files_}),
+      mouths_(editing_, notices_, playback_),
+      first_pass_(editing_, notices_, playback_, sound_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
@@ -67,7 +69,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_) {
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
@@ -91,6 +93,7 @@ void App::show_anew() {
   playback_.begin();
   controls_.open_document();
   curves_.forget();
+  mouths_.forget();
   canvas_.begin();
   undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
@@ -125,6 +128,7 @@ void App::advance() {
   dials_.follow();
   playback_.advance(now);
   sound_.follow(now);
+  first_pass_.follow();
   controls_.swing(now);
   // What was said of a stroke is over with the next one that does something, and with another tool.
   const auto now_is = std::pair(editing_.revision(), &tool_.now());
@@ -202,6 +206,7 @@ int App::next_frame_ms() {
   }
   if (dials_.waits()) return k_dial_look_ms;
   if (film_.writes()) return k_film_look_ms;
+  if (first_pass_.listens()) return k_dial_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
   const int told_ms = notices_.next_frame_ms();
   const int sound_ms = sound_.next_frame_ms();

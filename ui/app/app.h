@@ -19,6 +19,8 @@
 #include "ui/app/film/film_writer.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
+#include "ui/app/mouths/first_pass.h"
+#include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
@@ -110,6 +112,8 @@ class App {
   Files files_;
   SoundTrack sound_;
   FilmWriter film_;
+  KeptMouths mouths_;
+  FirstPass first_pass_;
   Leaving leaving_;
   Recovery recovery_;
   HandDesk desk_;
@@ -128,7 +132,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&>
+             GhostHand&, KeptMouths&, FirstPass&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -58,12 +58,24 @@ Interface::Interface(App& app)
 
 Interface::~Interface() { ImGui::DestroyContext(); }
 
+void Interface::share_clipboard(Clipboard clipboard) {
+  clipboard_ = std::move(clipboard);
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* self) {
+    auto& interface = *static_cast<Interface*>(self);
+    interface.pasted_ = interface.clipboard_.read();
+    return interface.pasted_.c_str();
+  };
+  io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Interface*>(self)->clipboard_.write(text); };
+}
+
 void Interface::disturb() { unsettled_ = k_settle_frames; }
 
 void Interface::apply_look() {
   const double scale = canvas_.scale();
   const bool light = preferences_.settings().light;
-  const bool pictures = panels_.poses_tab && !pictures_->reserved();
+  const bool pictures = panels_.pictured() && !pictures_->reserved();
   if (scale == look_scale_ && light == look_light_ && !pictures) return;
   if (scale != look_scale_ || pictures) load_fonts(scale);
   look_scale_ = scale;
@@ -89,7 +101,7 @@ void Interface::load_fonts(double scale) {
     fonts.AddFontFromFileTTF(sign_file.c_str(), px, &config, k_signs);
   }
   // Poses are pictured only where somebody looks at them.
-  if (panels_.poses_tab || pictures_->reserved()) pictures_->reserve(fonts);
+  if (panels_.pictured() || pictures_->reserved()) pictures_->reserve(fonts);
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,13 @@ class Interface {
 
   /// Draws the mouse's pointer where no system does; nothing: it does.
   void show_pointer(std::optional<PxPoint> at) { pointer_ = at; }
+
+  /// What other programs copied and paste, UTF-8; empty functions: there is none to share.
+  struct Clipboard {
+    std::function<std::string()> read;
+    std::function<void(const char* text)> write;
+  };
+  void share_clipboard(Clipboard clipboard);
 
   /// Typed text, UTF-8.
   void text(const char* utf8);
@@ -97,6 +105,8 @@ class Interface {
   bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
   int font_revision_ = 0;
   std::optional<PxPoint> pointer_;
+  Clipboard clipboard_;
+  std::string pasted_;  ///< what it had last
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
   DragScroll drag_scroll_;

@@ -30,6 +30,7 @@ void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Pr
                              PanelState&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
+void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Dialogs&);
 
 namespace {
 
@@ -71,6 +72,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
+    DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},
 };
 
 }  // namespace

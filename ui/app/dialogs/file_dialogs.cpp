@@ -1,11 +1,9 @@
-#include <algorithm>
 #include <filesystem>
-#include <span>
 
-#include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/file_browser.h"
 #include "ui/app/files/files.h"
 #include "ui/app/files/leaving.h"
 #include "ui/app/notices.h"
@@ -32,11 +30,6 @@ constexpr float k_wide = 17;
 /// Behind the name of a model, before the extension: the project that was made of it.
 constexpr std::string_view k_own_end = ".penpose";
 
-bool has_extension(const fs::path& path, std::span<const std::string> extensions) {
-  const std::string extension = base::lower_case(path.extension().string());
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
-}
-
 /// Models, and what a session or a trace is kept in.
 std::vector<std::string> opened() {
   auto extensions = io::extensions_read();
@@ -48,46 +41,6 @@ const std::vector<std::string>& pictures() {
   return extensions;
 }
 
-/// Folders first, then files with some extensions, by name.
-std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const std::string> extensions) {
-  std::vector<fs::directory_entry> entries;
-  std::error_code code;
-  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
-    if (it->path().filename().string().starts_with('.')) continue;
-    std::error_code ignored;
-    if (it->is_directory(ignored) || has_extension(it->path(), extensions)) entries.push_back(*it);
-  }
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-    std::error_code ignored;
-    const bool a_folder = a.is_directory(ignored);
-    const bool b_folder = b.is_directory(ignored);
-    return a_folder != b_folder ? a_folder : a.path().filename() < b.path().filename();
-  });
-  return entries;
-}
-
-/// The folder with its parent and what is in it. Gives the file that was chosen.
-std::string browse(PanelContext& context, const Owners& with, float height, std::span<const std::string> extensions) {
-  std::string& folder = with.dialogs.state<FileChoice>().folder;
-  std::string chosen;
-  ImGui::TextUnformatted(folder.c_str());
-  begin_list(context, "files", {0, height}, true);
-  if (wide_button(context, "..##parent", -1)) folder = fs::path(folder).parent_path().string();
-  for (const auto& entry : entries_of(folder, extensions)) {
-    std::error_code ignored;
-    const bool is_folder = entry.is_directory(ignored);
-    const std::string name = entry.path().filename().string() + (is_folder ? "/" : "");
-    if (!wide_button(context, name.c_str(), -1)) continue;
-    if (is_folder) {
-      folder = entry.path().string();
-      break;
-    }
-    chosen = entry.path().string();
-  }
-  ImGui::EndChild();
-  return chosen;
-}
-
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`. Before a file
 /// that is there is lost that is said, and pressed for once more.
 bool choose_name(PanelContext& context, const Owners& with, const char* does, std::string& path,
@@ -95,7 +48,7 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
   FileChoice& choice = with.dialogs.state<FileChoice>();
   if (context.dialog_opens) choice.asked_of.clear();
   dialog_field(context, "##name", choice.name, "name.glb");
-  if (const std::string file = browse(context, with, 6 * context.unit, opened()); !file.empty()) {
+  if (const std::string file = browse(context, with.dialogs, 6 * context.unit, opened()); !file.empty()) {
     choice.name = fs::path(file).filename().string();
   }
   path = (fs::path(choice.folder) / choice.name).string();
@@ -151,7 +104,8 @@ void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Dia
     std::string chosen;
     if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
     if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
-    if (const std::string file = browse(context, with, 8 * context.unit, opened()); !file.empty()) chosen = file;
+    if (const std::string file = browse(context, with.dialogs, 8 * context.unit, opened()); !file.empty())
+      chosen = file;
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
     if (!chosen.empty()) leaving.ask_to_open(chosen);
   }
@@ -163,7 +117,7 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
   const Owners with{files, dialogs};
   if (begin_dialog(context, "A picture behind the model", k_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, with, 8 * context.unit, pictures());
+    const std::string chosen = browse(context, with.dialogs, 8 * context.unit, pictures());
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
     if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
       dialogs.close();
@@ -178,7 +132,7 @@ void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, D
   const Owners with{files, dialogs};
   if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
-    const std::string chosen = browse(context, with, 8 * context.unit, sounds);
+    const std::string chosen = browse(context, with.dialogs, 8 * context.unit, sounds);
     if (track.sound() != nullptr && wide_button(context, "Take the sound away")) {
       track.remove();
       dialogs.close();

@@ -10,11 +10,11 @@ namespace penpose::app {
 void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&,
                   Dialogs&, PanelState&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
-void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, Dialogs&,
-                     PanelState&);
+void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
+                     Dialogs&, PanelState&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
-                   Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&);
+                   Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&);
 void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);

@@ -2,6 +2,7 @@
 
 #include "ui/app/controls/controls.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/suggestion_offer.h"
@@ -20,6 +21,9 @@ void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canv
 void show_corrections(PanelContext& context, EditingSession& editing, Controls& controls, PanelState& panels);
 /// Poses that are keyed, to be taken again.
 void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels);
+/// The mouths that speech is drawn with.
+void show_mouths(PanelContext& context, EditingSession& editing, KeptMouths& kept, Dialogs& dialogs,
+                 PanelState& panels);
 /// Asks for the rest of the face; grey, and saying why, while there are too few keys.
 void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer);
 

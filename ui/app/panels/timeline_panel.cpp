@@ -7,6 +7,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
+#include "ui/app/mouths/first_pass.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
@@ -318,7 +319,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, OverlapOffer& overlap, GhostHand& ghosts) {
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, FirstPass& pass, OverlapOffer& overlap,
+                   GhostHand& ghosts) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
@@ -333,7 +335,8 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
-      show_sound_strip(context, sound, playback, shown_moments(with).from, shown_moments(with).span);
+      const SpokenSound said{pass.words(), editing.document().spoken.get()};
+      show_sound_strip(context, sound, said, playback, shown_moments(with).from, shown_moments(with).span);
       const float left = ImGui::GetContentRegionAvail().y;
       if (left > context.unit && with.shown().part == TimelinePart::sheet) show_dope_sheet(context, with, left);
       if (left > context.unit && with.shown().part == TimelinePart::curves) show_curve_editor(context, with, left);

@@ -67,8 +67,8 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
     with.dialogs.show(Dialog::sessions);
   }
   rule(context);
-  actions({Action::set_front, Action::history, Action::library, Action::flip_pose, Action::copy_to_right,
-           Action::copy_to_left, Action::neutral});
+  actions({Action::set_front, Action::history, Action::library, Action{"mouths"}, Action::flip_pose,
+           Action::copy_to_right, Action::copy_to_left, Action::neutral});
   ImGui::EndGroup();
   ImGui::SameLine();
   ImGui::BeginGroup();

@@ -64,6 +64,12 @@ std::uint32_t key_of(SDL_Keycode key) {
   return key > 0 && key < 128 ? static_cast<std::uint32_t>(key) : 0;
 }
 
+/// What was copied, in this program or another.
+std::string copied_text() {
+  const std::unique_ptr<char, decltype(&SDL_free)> text(SDL_GetClipboardText(), SDL_free);
+  return text ? text.get() : std::string();
+}
+
 }  // namespace
 
 struct Window::State {
@@ -269,6 +275,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   const Player& player = app.of<Player>();
   Leaving& leaving = app.of<Leaving>();
   FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
+  interface.share_clipboard({copied_text, [](const char* text) { SDL_SetClipboardText(text); }});
   SDL_StartTextInput();
   unsigned looks = 0;  // at the system's devices
   std::optional<FullScreen> full_screen(state_->window);
