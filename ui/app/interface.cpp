@@ -128,6 +128,7 @@ void Interface::frame(double passed_s) {
   if (opens) {
     dialog_area_.reset();
     types_ = has_field_ = false;
+    dialogs_.state<KeyAsked>().waits = false;
     opening_ = panels_.has_keyboard ? 2 : 0;
   }
   take_pointer();

@@ -71,6 +71,8 @@ class Interface {
   void load_fonts(double scale);
   /// A text field was pressed, and does not have the keyboard yet.
   [[nodiscard]] bool field_pressed() const;
+  /// Hands a key to a dialog that waits for one, whichever it is; false: none does.
+  bool asks_for_key(int scancode, const KeyStroke& stroke, bool down);
   void rest_pointer(double passed_s);
   void show_all(PanelContext& context);
   void take_pointer();

@@ -28,6 +28,7 @@ void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Fi
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Dialogs&);
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
                              PanelState&);
+void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
 
 namespace {
@@ -68,6 +69,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog::film, show<show_film_dialog>},
     DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
     DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
+    DialogRow{Dialog{"keyboard"}, show<show_keyboard_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
 };
 

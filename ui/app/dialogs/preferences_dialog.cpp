@@ -91,7 +91,8 @@ void show_pen(PanelContext& context, const Owners& with) {
 }
 
 void show_keys(PanelContext& context, const Owners& with) {
-  leads_to(context, with, "All keys of the keyboard##preferences", Dialog::shortcuts, "All keys and what they do");
+  leads_to(context, with, "Keys of the keyboard##preferences", Dialog{"keyboard"},
+           "What each key does, and other keys");
   leads_to(context, with, "Keys and rings of the tablet##preferences", Dialog::pad,
            "What the keys and rings of the tablet and the pen's buttons do");
   leads_to(context, with, "Menu around the pen##preferences", Dialog::radial, "What it offers");

@@ -205,7 +205,7 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
 
 bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
   const std::string own(info(action).label);
-  const std::string tip = tooltip_of(action);
+  const std::string tip = context.actions.keys().tooltip_of(action);
   const std::string_view icon = label == nullptr ? icon_of(action) : std::string_view();
   ButtonLook look{width, chosen, tip.c_str(), icon};
   look.left_aligned = width == -1 && !icon.empty();
