@@ -16,6 +16,7 @@
 namespace penpose::app {
 
 struct PanelContext;
+class FilePictures;
 class PosePictures;
 
 /// Panels, menus and dialogs of the app, in ImGui. Knows no window and no OpenGL: it takes what the app knows of the
@@ -91,6 +92,7 @@ class Interface {
   PanelInput& input_;
   const Preferences& preferences_;
   std::unique_ptr<PosePictures> pictures_;
+  std::unique_ptr<FilePictures> file_pictures_;
   double look_scale_ = 0;
   bool look_light_ = false;
   int unsettled_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "core/base/numbers.h"
 #include "ui/files/files.h"
@@ -130,6 +131,8 @@ constexpr std::array k_lines{
     Line{"density", [](Settings& to, View value) { return take_one(to.density, value, 3); }},
     Line{"stabiliser", [](Settings& to, View value) { return take_one(to.stabiliser, value, 3); }},
     Line{"rate", take_rate},
+    Line{"file_sort", [](Settings& to, View value) { return take_one(to.file_sort, value, 3); }},
+    Line{"hidden_files", [](Settings& to, View value) { return take_flag(to.hidden_files, value); }},
     Line{"tablet_keep_aspect", [](Settings& to, View value) { return take_flag(to.tablet.keep_aspect, value); }},
     Line{"tablet_left_handed", [](Settings& to, View value) { return take_flag(to.tablet.left_handed, value); }},
     Line{"tablet_area", take_area},
@@ -162,8 +165,11 @@ Settings parse_settings(std::string_view text, std::vector<base::Error>* refused
     const Why why = remark ? Why() : take(settings, line);
     if (remark || !why.empty()) settings.unread.emplace_back(line);
     if (why.empty() || refused == nullptr) continue;
-    refused->push_back({"\"" + std::string(line) + "\" is not taken: " + why, "line " + std::to_string(number),
-                        "mend the line or take it out"});
+    std::string what = "\"";
+    what.append(line).append("\" is not taken: ").append(why);
+    std::string place = "line ";
+    place += std::to_string(number);
+    refused->push_back({std::move(what), std::move(place), "mend the line or take it out"});
   }
   settings.keys.settle();
   return settings;
@@ -178,6 +184,8 @@ std::string to_text(const Settings& settings) {
   text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";
   text += "stabiliser=" + std::to_string(static_cast<int>(settings.stabiliser)) + "\n";
   text += "rate=" + std::to_string(settings.rate) + "\n";
+  text += "file_sort=" + std::to_string(static_cast<int>(settings.file_sort)) + "\n";
+  text += "hidden_files=" + flag(settings.hidden_files);
   text += "tablet_keep_aspect=" + flag(settings.tablet.keep_aspect);
   text += "tablet_left_handed=" + flag(settings.tablet.left_handed);
   if (!settings.tablet.area.empty()) {

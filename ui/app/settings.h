@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "replay/session/pen_input.h"
+#include "ui/app/browser/file_list.h"
 #include "ui/app/hands/binding.h"
 #include "ui/app/key_map.h"
 #include "ui/app/playback/frames.h"
@@ -35,8 +36,10 @@ struct Settings {
   /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
   /// missing does what `default_binding` says.
   std::map<std::string, std::map<std::string, Binding>> pads;
-  std::vector<std::string> recent;  ///< files, the last one first
-  std::vector<std::string> unread;  ///< lines that were not taken, which are written again as they are
+  FileSort file_sort = FileSort::name;  ///< in dialogs of files
+  bool hidden_files = false;            ///< there
+  std::vector<std::string> recent;      ///< files, the last one first
+  std::vector<std::string> unread;      ///< lines that were not taken, which are written again as they are
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
