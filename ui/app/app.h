@@ -16,6 +16,7 @@
 #include "ui/app/files/player.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/files/recovery.h"
+#include "ui/app/files/system_dialogs.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
 #include "ui/app/notices.h"
@@ -107,6 +108,7 @@ class App {
   Files files_;
   SoundTrack sound_;
   Leaving leaving_;
+  SystemDialogs system_dialogs_;
   Recovery recovery_;
   HandDesk desk_;
   KnownTablets tablets_;
@@ -123,7 +125,7 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, SystemDialogs&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -133,6 +133,7 @@ constexpr std::array k_lines{
     Line{"rate", take_rate},
     Line{"file_sort", [](Settings& to, View value) { return take_one(to.file_sort, value, 3); }},
     Line{"hidden_files", [](Settings& to, View value) { return take_flag(to.hidden_files, value); }},
+    Line{"system_dialogs", [](Settings& to, View value) { return take_flag(to.system_dialogs, value); }},
     Line{"tablet_keep_aspect", [](Settings& to, View value) { return take_flag(to.tablet.keep_aspect, value); }},
     Line{"tablet_left_handed", [](Settings& to, View value) { return take_flag(to.tablet.left_handed, value); }},
     Line{"tablet_area", take_area},
@@ -186,6 +187,7 @@ std::string to_text(const Settings& settings) {
   text += "rate=" + std::to_string(settings.rate) + "\n";
   text += "file_sort=" + std::to_string(static_cast<int>(settings.file_sort)) + "\n";
   text += "hidden_files=" + flag(settings.hidden_files);
+  text += "system_dialogs=" + flag(settings.system_dialogs);
   text += "tablet_keep_aspect=" + flag(settings.tablet.keep_aspect);
   text += "tablet_left_handed=" + flag(settings.tablet.left_handed);
   if (!settings.tablet.area.empty()) {

@@ -26,8 +26,8 @@ void show_search_dialog(PanelContext&, EditingSession&, Playback&, Preferences&,
 void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Preferences&, Dialogs&);
-void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
-                             PanelState&);
+void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&,
+                             const SystemDialogs&, Dialogs&, PanelState&);
 void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Preferences&, Dialogs&);
 

@@ -226,11 +226,9 @@ std::string browse(PanelContext& context, const BrowsedWith& with, const BrowseL
   const bool moved = !state.new_name && take_keys(with, typed_nothing);
   show_folder_line(context, state.error.empty() ? state.folder : state.error);
   show_new_folder(context, with);
-  // What stands above and below it, and the dialog's title.
-  const float others =
-      static_cast<float>(look.has_field ? 4.2 : 5.2) * (context.unit + ImGui::GetStyle().ItemSpacing.y);
-  const float room = static_cast<float>(context.window.height) - others - 2 * ImGui::GetFontSize();
-  const float height = std::clamp(room, 2.2F * context.unit, look.rows * context.unit);
+  const float below = look.rows_below * (context.unit + ImGui::GetStyle().ItemSpacing.y);
+  const float room = static_cast<float>(context.window.height) - 4 * context.gap - ImGui::GetCursorPosY() - below;
+  const float height = std::clamp(room, 2 * context.unit, look.rows * context.unit);
   std::string chosen;
   if (wide || state.places_shown) show_places(context, with, wide ? k_places_wide * context.unit : 0, height);
   if (wide) ImGui::SameLine();

@@ -8,17 +8,12 @@
 #include "ui/app/browser/file_list.h"
 #include "ui/app/browser/places.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/files/file_kinds.h"
 #include "ui/app/files/files.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
 
 namespace penpose::app {
-
-/// Files of some extensions, as a dialog offers them; without any: every file.
-struct FileKind {
-  const char* label;
-  std::vector<std::string> extensions;
-};
 
 /// What browsing works with.
 struct BrowsedWith {
@@ -49,6 +44,7 @@ struct FileBrowser {
 struct BrowseLook {
   std::span<const FileKind> kinds;  ///< at least one
   float rows = 6;                   ///< of the list, where there is room
+  float rows_below = 1;             ///< of the dialog, below the list
   bool has_field = true;            ///< a field for the beginning of a name or a path; else the dialog has its own
 };
 

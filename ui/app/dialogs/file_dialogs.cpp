@@ -24,28 +24,6 @@ using Owners = BrowsedWith;
 namespace fs = std::filesystem;
 
 constexpr float k_wide = 22;
-/// Behind the name of a model, before the extension: the project that was made of it.
-constexpr std::string_view k_own_end = ".penpose";
-
-/// What opens: models, and what a session or a trace is kept in.
-const std::vector<FileKind>& opened() {
-  static const std::vector<FileKind> kinds = [] {
-    const std::vector<std::string> recordings{".session", ".hid", ".trace"};
-    auto all = io::extensions_read();
-    all.insert(all.end(), recordings.begin(), recordings.end());
-    return std::vector<FileKind>{
-        {"All that opens", all}, {"Models", io::extensions_read()}, {"Sessions", recordings}, {"Every file", {}}};
-  }();
-  return kinds;
-}
-const std::vector<FileKind>& pictures() {
-  static const std::vector<FileKind> kinds{{"Pictures", {".png", ".jpg", ".jpeg"}}};
-  return kinds;
-}
-const std::vector<FileKind>& sounds() {
-  static const std::vector<FileKind> kinds{{"Sounds", {".wav", ".flac", ".ogg", ".oga"}}};
-  return kinds;
-}
 
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`. Before a file
 /// that is there is lost that is said, and pressed for once more.
@@ -57,7 +35,7 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
     return completed_path(choice.folder, text, home_folder(), {});
   };
   dialog_field(context, "##name", choice.name, "name.glb", &complete);
-  if (const std::string file = browse(context, with, {opened(), 6, false}); !file.empty()) {
+  if (const std::string file = browse(context, with, {opened_kinds(), 6, 1, false}); !file.empty()) {
     choice.name = fs::path(file).filename().string();
   }
   const TypedPath typed = typed_path(choice.folder, choice.name, home_folder());
@@ -87,25 +65,6 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
   return choice.lost.empty();
 }
 
-/// Without what the program itself puts behind a name.
-std::string stem_of(const Owners& with) {
-  const std::string from = !with.files.project().empty() ? with.files.project() : with.files.path();
-  if (from.starts_with("builtin:")) return "head";
-  std::string stem = fs::path(from).stem().string();
-  if (stem.size() > k_own_end.size() && stem.ends_with(k_own_end)) stem.resize(stem.size() - k_own_end.size());
-  return stem;
-}
-
-/// What a project is called that is saved for the first time: never as the model that was opened.
-std::string name_for_project(const Owners& with) {
-  const std::string& folder = with.dialogs.state<FileChoice>().folder;
-  std::string stem = stem_of(with);
-  std::error_code code;
-  const bool taken = fs::exists(fs::path(folder) / (stem + ".glb"), code);
-  if (taken && !with.files.path().starts_with("builtin:")) stem += k_own_end;
-  return fs::path(free_path(folder, stem, ".glb")).filename().string();
-}
-
 }  // namespace
 
 void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Preferences& preferences,
@@ -113,10 +72,14 @@ void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Pre
   const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "Open", k_wide)) {
     std::string chosen;
-    if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
-    if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
-    if (const std::string file = browse(context, with, {opened(), 8}); !file.empty()) chosen = file;
+    if (const std::string file = browse(context, with, {opened_kinds(), 8}); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    ImGui::SameLine();
+    if (wide_button(context, "Head with controls", 0, false, "The built-in head with its controls"))
+      chosen = "builtin:demo";
+    ImGui::SameLine();
+    if (wide_button(context, "Head alone", 0, false, "The built-in head, to sketch controls on"))
+      chosen = "builtin:head";
     if (!chosen.empty()) leaving.ask_to_open(chosen);
   }
   end_dialog();
@@ -127,7 +90,7 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
   const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "A picture behind the model", k_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, with, {pictures(), 8});
+    const std::string chosen = browse(context, with, {picture_kinds(), 8});
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
     if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
       dialogs.close();
@@ -142,7 +105,7 @@ void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, P
   const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
-    const std::string chosen = browse(context, with, {sounds(), 8});
+    const std::string chosen = browse(context, with, {sound_kinds(), 8, track.sound() != nullptr ? 2.0F : 1.0F});
     if (track.sound() != nullptr && wide_button(context, "Take the sound away")) {
       track.remove();
       dialogs.close();
@@ -179,8 +142,7 @@ void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Pre
   const Owners with{files, preferences, dialogs};
   if (dialogs.state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
-    dialogs.state<FileChoice>().name =
-        files.project().empty() ? name_for_project(with) : fs::path(files.project()).filename().string();
+    dialogs.state<FileChoice>().name = name_to_save(files, dialogs.state<FileChoice>().folder);
   }
   if (begin_dialog(context, "Save", k_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
@@ -195,8 +157,7 @@ void show_export_dialog(PanelContext& context, Files& files, Notices& notices, P
   const Owners with{files, preferences, dialogs};
   std::string& name = dialogs.state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
-    name =
-        fs::path(free_path(dialogs.state<FileChoice>().folder, stem_of(with) + "-export", ".glb")).filename().string();
+    name = name_to_export(files, dialogs.state<FileChoice>().folder);
   }
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);

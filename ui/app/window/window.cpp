@@ -13,6 +13,7 @@
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/screen.h"
 #include "ui/app/window/stop_watch.h"
+#include "ui/app/window/window_handle.h"
 #include "ui/files/process/kept_memory.h"
 
 namespace penpose::app {
@@ -251,6 +252,8 @@ base::Result<std::unique_ptr<Window>> Window::open(const files::WindowRequest& r
   state->picture_event = state->wake_event + 1;
   return std::unique_ptr<Window>(new Window(std::move(state)));
 }
+
+std::string Window::handle() const { return window_handle(state_->window); }
 
 void Window::wake() const {
   SDL_Event event{};

@@ -16,7 +16,7 @@ void open_keys(Desk& desk) {
   desk.click("Keys of the keyboard##preferences");
   ASSERT_EQ(desk.app->of<Dialogs>().open().name, "keyboard");
 }
-KeyMap kept(const Desk& desk) { return load_settings(desk.path("config")).keys; }
+KeyMap kept_keys(const Desk& desk) { return load_settings(desk.path("config")).keys; }
 void search(Desk& desk, const char* text) {
   desk.app->of<Dialogs>().state<SearchEntry>().text = text;
   desk.frames();
@@ -36,7 +36,7 @@ TEST(KeyboardDialog, AKeyIsPressedDoesItAndIsShownAndKept) {
   desk.interface->key(k_any, {'q', false, false}, false);
   desk.frames();
   EXPECT_EQ(desk.app->of<Dialogs>().state<SearchEntry>().text, "wire") << "it was no letter of the search";
-  EXPECT_EQ(kept(desk).shortcut_of(Action::wireframe), "Q");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "Q");
   desk.click("Done##keyboard");
   desk.hit(k_any, 'q');
   EXPECT_TRUE(desk.app->of<CanvasLook>().wireframe);
@@ -51,26 +51,26 @@ TEST(KeyboardDialog, AKeyThatIsInUseIsSaidAndTakenOverOnlyWhenAsked) {
   search(desk, "wire");
   desk.click("Shift+Z###key 0 wireframe");
   desk.hit(29, 'z', true);
-  EXPECT_FALSE(kept(desk).any_changed()) << "it is Undo's";
+  EXPECT_FALSE(kept_keys(desk).any_changed()) << "it is Undo's";
   ASSERT_NE(desk.interface->find("Take it for Wire###take over"), nullptr);
   desk.click("Leave it##key");
-  EXPECT_FALSE(kept(desk).any_changed());
+  EXPECT_FALSE(kept_keys(desk).any_changed());
   desk.click("Shift+Z###key 0 wireframe");
   desk.hit(29, 'z', true);
   desk.click("Take it for Wire###take over");
-  EXPECT_EQ(kept(desk).shortcut_of(Action::wireframe), "Ctrl+Z");
-  EXPECT_EQ(kept(desk).shortcut_of(Action::undo), "");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "Ctrl+Z");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::undo), "");
   // Undo has its own key again, and that is asked, too.
   search(desk, "take back the last");
   desk.click("###key 0 undo");
   desk.click("As it was##key");
-  EXPECT_EQ(kept(desk).shortcut_of(Action::undo), "");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::undo), "");
   desk.click("Take it for Undo###take over");
-  EXPECT_EQ(kept(desk).shortcut_of(Action::undo), "Ctrl+Z");
-  EXPECT_EQ(kept(desk).shortcut_of(Action::wireframe), "");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::undo), "Ctrl+Z");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "");
   search(desk, "");
   desk.click("All as they were##key");
-  EXPECT_FALSE(kept(desk).any_changed());
+  EXPECT_FALSE(kept_keys(desk).any_changed());
 }
 
 TEST(KeyboardDialog, EscapeLeavesItAndDeleteTakesItAway) {
@@ -80,11 +80,11 @@ TEST(KeyboardDialog, EscapeLeavesItAndDeleteTakesItAway) {
   desk.click("Ctrl+Shift+Z###key 0 redo");
   desk.hit_escape();
   EXPECT_EQ(desk.app->of<Dialogs>().open().name, "keyboard") << "the dialog stays";
-  EXPECT_FALSE(kept(desk).any_changed());
+  EXPECT_FALSE(kept_keys(desk).any_changed());
   desk.click("Ctrl+Y###key 1 redo");
   desk.hit(76, k_key_delete);
-  EXPECT_EQ(kept(desk).keys_of(Action::redo)[1].key, 0U);
-  EXPECT_EQ(kept(desk).shortcut_of(Action::redo), "Ctrl+Shift+Z");
+  EXPECT_EQ(kept_keys(desk).keys_of(Action::redo)[1].key, 0U);
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::redo), "Ctrl+Shift+Z");
   desk.hit_escape();
   EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   desk.hit(k_any, 'i');
@@ -99,7 +99,7 @@ TEST(KeyboardDialog, NoModifierAloneIsAKeyAndEscapeIsNobodysElse) {
   desk.hit(224, 0, true);
   EXPECT_TRUE(desk.app->of<Dialogs>().state<KeyAsked>().waits) << "Ctrl alone";
   desk.hit(k_any, 'w', true, true);
-  EXPECT_EQ(kept(desk).shortcut_of(Action::wireframe), "Ctrl+Shift+W");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "Ctrl+Shift+W");
   search(desk, "give up what");
   desk.click("Esc###key 0 cancel");
   EXPECT_FALSE(desk.app->of<Dialogs>().state<KeyAsked>().waits);
@@ -117,7 +117,7 @@ TEST(KeyboardDialog, ABrokenLineIsToldAtTheStart) {
   std::ifstream file(folder / "settings");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(text.find("key=fly|Q\n"), std::string::npos) << "and is not lost";
-  EXPECT_EQ(kept(desk).shortcut_of(Action::wireframe), "Q");
+  EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "Q");
 }
 
 TEST(KeyboardDialog, ItFitsSmallScreens) {
