@@ -13,7 +13,7 @@
 #include "core/document/model.h"
 #include "core/document/sound/mouths.h"
 #include "core/document/sound/sound_reference.h"
-#include "core/document/time/clip.h"
+#include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline.h"
 
 namespace penpose::document {

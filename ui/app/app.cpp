@@ -52,6 +52,7 @@ App::App(AppOptions options)
       mouths_(editing_, notices_, playback_),
       first_pass_(editing_, notices_, playback_, sound_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
+      system_dialogs_({options_.clock, canvas_, look_, files_, leaving_, sound_, dialogs_, notices_, preferences_}),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
       place_(options_.clock),
@@ -69,7 +70,8 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_, mouths_, first_pass_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_) {
+  dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
@@ -125,6 +127,7 @@ void App::advance() {
   held_keys_.follow_tool();
   follow_habits();
   film_.follow();
+  system_dialogs_.follow();
   dials_.follow();
   playback_.advance(now);
   sound_.follow(now);
@@ -208,10 +211,11 @@ int App::next_frame_ms() {
   if (film_.writes()) return k_film_look_ms;
   if (first_pass_.listens()) return k_dial_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
-  const int told_ms = notices_.next_frame_ms();
-  const int sound_ms = sound_.next_frame_ms();
-  if (told_ms < 0 || sound_ms < 0) return std::max(told_ms, sound_ms);
-  return std::min(told_ms, sound_ms);
+  int next_ms = -1;
+  for (const int ms : {notices_.next_frame_ms(), sound_.next_frame_ms(), system_dialogs_.next_frame_ms()}) {
+    if (ms >= 0) next_ms = next_ms < 0 ? ms : std::min(next_ms, ms);
+  }
+  return next_ms;
 }
 
 }  // namespace penpose::app

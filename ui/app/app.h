@@ -16,6 +16,7 @@
 #include "ui/app/files/player.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/files/recovery.h"
+#include "ui/app/files/system_dialogs.h"
 #include "ui/app/film/film_writer.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
@@ -115,6 +116,7 @@ class App {
   KeptMouths mouths_;
   FirstPass first_pass_;
   Leaving leaving_;
+  SystemDialogs system_dialogs_;
   Recovery recovery_;
   HandDesk desk_;
   KnownTablets tablets_;
@@ -132,7 +134,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

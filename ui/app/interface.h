@@ -17,6 +17,7 @@
 namespace penpose::app {
 
 struct PanelContext;
+class FilePictures;
 class PosePictures;
 
 /// Panels, menus and dialogs of the app, in ImGui. Knows no window and no OpenGL: it takes what the app knows of the
@@ -79,6 +80,8 @@ class Interface {
   void load_fonts(double scale);
   /// A text field was pressed, and does not have the keyboard yet.
   [[nodiscard]] bool field_pressed() const;
+  /// Hands a key to a dialog that waits for one, whichever it is; false: none does.
+  bool asks_for_key(int scancode, const KeyStroke& stroke, bool down);
   void rest_pointer(double passed_s);
   void show_all(PanelContext& context);
   void take_pointer();
@@ -97,6 +100,7 @@ class Interface {
   PanelInput& input_;
   const Preferences& preferences_;
   std::unique_ptr<PosePictures> pictures_;
+  std::unique_ptr<FilePictures> file_pictures_;
   double look_scale_ = 0;
   bool look_light_ = false;
   int unsettled_ = 0;

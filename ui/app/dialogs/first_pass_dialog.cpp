@@ -27,17 +27,19 @@ struct PassOwners {
   const SoundTrack& track;
   KeptMouths& kept;
   FirstPass& pass;
+  Files& files;
+  Preferences& preferences;
   Dialogs& dialogs;
   FirstPassEntry& entry;
 };
 
-const std::vector<std::string>& texts() {
-  static const std::vector<std::string> extensions{".txt"};
-  return extensions;
+const std::vector<FileKind>& texts() {
+  static const std::vector<FileKind> kinds{{"Texts", {".txt"}}, {"All files", {}}};
+  return kinds;
 }
-const std::vector<std::string>& cue_files() {
-  static const std::vector<std::string> extensions{".tsv", ".json", ".xml", ".dat", ".txt"};
-  return extensions;
+const std::vector<FileKind>& cue_files() {
+  static const std::vector<FileKind> kinds{{"Cues", {".tsv", ".json", ".xml", ".dat", ".txt"}}, {"All files", {}}};
+  return kinds;
 }
 
 /// The text with its lines broken where the field ends; words are all that counts of it.
@@ -79,7 +81,7 @@ void show_text(PanelContext& context, const PassOwners& with) {
   FirstPassEntry& entry = with.entry;
   ImGui::TextWrapped("%s", "What is said, word by word, in English. Lips then close on 19 of 20 p, b and m.");
   if (entry.looks_for_text) {
-    const std::string chosen = browse(context, with.dialogs, 4 * context.unit, texts());
+    const std::string chosen = browse(context, {with.files, with.preferences, with.dialogs}, {texts(), 4, 2});
     if (wide_button(context, "Type it##said")) entry.looks_for_text = false;
     if (chosen.empty()) return;
     const auto bytes = files::read_file(chosen, files::k_most_text_bytes);
@@ -102,7 +104,7 @@ void show_text(PanelContext& context, const PassOwners& with) {
 void show_cues(PanelContext& context, const PassOwners& with) {
   ImGui::TextWrapped("%s",
                      "Cues of Rhubarb Lip Sync (.tsv, .json, .xml) or Papagayo (.dat). They begin with the sound.");
-  const std::string chosen = browse(context, with.dialogs, 5 * context.unit, cue_files());
+  const std::string chosen = browse(context, {with.files, with.preferences, with.dialogs}, {cue_files(), 5, 2});
   if (chosen.empty()) return;
   const auto taken = with.pass.take_cues(chosen);
   tell(with, taken, chosen);
@@ -152,9 +154,9 @@ void show_listening(PanelContext& context, const PassOwners& with) {
 }  // namespace
 
 void show_first_pass_dialog(PanelContext& context, EditingSession& editing, SoundTrack& track, KeptMouths& kept,
-                            FirstPass& pass, Dialogs& dialogs) {
+                            FirstPass& pass, Files& files, Preferences& preferences, Dialogs& dialogs) {
   FirstPassEntry& entry = dialogs.state<FirstPassEntry>();
-  const PassOwners with{editing, track, kept, pass, dialogs, entry};
+  const PassOwners with{editing, track, kept, pass, files, preferences, dialogs, entry};
   if (context.dialog_opens) {
     entry.told.clear();
     entry.began = false;

@@ -9,6 +9,7 @@
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
 #include "ui/app/files/recording.h"
+#include "ui/app/files/system_dialogs.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
@@ -33,6 +34,7 @@ struct Owners {
   Playback& playback;
   Preferences& preferences;
   const Recording& recording;
+  const SystemDialogs& system;
   Dialogs& dialogs;
   PanelState& panels;
 };
@@ -91,7 +93,8 @@ void show_pen(PanelContext& context, const Owners& with) {
 }
 
 void show_keys(PanelContext& context, const Owners& with) {
-  leads_to(context, with, "All keys of the keyboard##preferences", Dialog::shortcuts, "All keys and what they do");
+  leads_to(context, with, "Keys of the keyboard##preferences", Dialog{"keyboard"},
+           "What each key does, and other keys");
   leads_to(context, with, "Keys and rings of the tablet##preferences", Dialog::pad,
            "What the keys and rings of the tablet and the pen's buttons do");
   leads_to(context, with, "Menu around the pen##preferences", Dialog::radial, "What it offers");
@@ -120,6 +123,15 @@ void show_time(PanelContext& context, const Owners& with) {
 
 void show_folders(PanelContext& context, const Owners& with) {
   const std::string session = with.recording.path();
+  if (with.system.available()) {
+    ImGui::TextUnformatted("Dialogs of files");
+    Settings& settings = with.preferences.settings();
+    const int to = one_of<2>(context, {"The system's##files", "penpose's own##files"}, settings.system_dialogs ? 0 : 1);
+    if (to >= 0) {
+      settings.system_dialogs = to == 0;
+      with.preferences.changed();
+    }
+  }
   ImGui::TextWrapped("Autosave: every stroke is written down as it is drawn. After a crash the next start goes on.");
   ImGui::TextWrapped("Session: %s", session.empty() ? "not recorded" : session.c_str());
   ImGui::TextWrapped("Settings: %s", standard_folders().config.c_str());
@@ -137,9 +149,9 @@ void show_folders(PanelContext& context, const Owners& with) {
 }  // namespace
 
 void show_preferences_dialog(PanelContext& context, const EditingSession& editing, Playback& playback,
-                             Preferences& preferences, const Recording& recording, Dialogs& dialogs,
-                             PanelState& panels) {
-  const Owners with{editing, playback, preferences, recording, dialogs, panels};
+                             Preferences& preferences, const Recording& recording, const SystemDialogs& system,
+                             Dialogs& dialogs, PanelState& panels) {
+  const Owners with{editing, playback, preferences, recording, system, dialogs, panels};
   Tab& tab = dialogs.state<PreferencesShown>().tab;
   if (begin_dialog(context, "Preferences", 16)) {
     const int to =

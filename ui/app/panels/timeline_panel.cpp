@@ -251,7 +251,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(Action::previous_key, false, true, false);
   row.add(Action::previous_frame, false, true, false);
   ButtonRow::Button play{with.playback.playing() ? "Stop" : "Play",
-                         with.playback.playing() ? icon::k_stop : icon_of(Action::play), tooltip_of(Action::play)};
+                         with.playback.playing() ? icon::k_stop : icon_of(Action::play),
+                         context.actions.keys().tooltip_of(Action::play)};
   play.chosen = with.playback.playing();
   play.does = [&] { context.actions.run(Action::play); };
   row.add(std::move(play));

@@ -52,7 +52,7 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
       const std::string label = action == Action::theme
                                     ? with.preferences.settings().light ? "Dark colours" : "Light colours"
                                     : std::string(info(action).label);
-      const std::string key = shortcut_text(info(action).key);
+      const std::string key = context.actions.keys().shortcut_of(action);
       if (!menu_entry(context, label.c_str(), icon_of(action), key, std::string(info(action).tip).c_str())) continue;
       ImGui::CloseCurrentPopup();
       context.actions.run(action);

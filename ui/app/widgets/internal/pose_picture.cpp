@@ -24,7 +24,7 @@ std::vector<std::uint8_t> surface_picture(std::span<const ModelPoint> positions,
                                           std::span<const mesh::Triangle> triangles, const PictureFrame& frame,
                                           int px) {
   const auto size = static_cast<std::size_t>(px);
-  std::vector<std::uint8_t> picture(2 * size * size, 0);
+  std::vector<std::uint8_t> picture(4 * size * size, 0);
   std::vector<double> depth(size * size, -1e300);
   const Eye from{frame.middle, px / std::max(1e-9, frame.side), 0.5 * px};
   for (const mesh::Triangle& corners : triangles) {
@@ -50,8 +50,13 @@ std::vector<std::uint8_t> surface_picture(std::span<const ModelPoint> positions,
         const std::size_t at = static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
         if (z <= depth[at]) continue;
         depth[at] = z;
-        picture[2 * at] = static_cast<std::uint8_t>(255 * std::sqrt(light));
-        picture[2 * at + 1] = 255;
+        // A warm grey.
+        const auto grey = static_cast<unsigned>(255 * std::sqrt(light));
+        std::uint8_t* pixel = picture.data() + 4 * at;
+        pixel[0] = static_cast<std::uint8_t>(grey);
+        pixel[1] = static_cast<std::uint8_t>(grey * 15 / 16);
+        pixel[2] = static_cast<std::uint8_t>(grey * 7 / 8);
+        pixel[3] = 255;
       }
     }
   }
@@ -59,26 +64,22 @@ std::vector<std::uint8_t> surface_picture(std::span<const ModelPoint> positions,
 }
 
 void PosePictures::reserve(ImFontAtlas& atlas) {
-  rect_ = atlas.AddCustomRectRegular(k_px * k_across, k_px * k_across);
+  sheet_.reserve(atlas);
   pictures_.clear();
   next_ = 0;
 }
 
 std::optional<std::pair<ImVec2, ImVec2>> PosePictures::place_of(const document::Document& document,
                                                                 const document::PoseKey& key, FacePart part) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  if (rect_ < 0 || atlas.TexPixelsRGBA32 == nullptr) return std::nullopt;
+  if (!sheet_.ready()) return std::nullopt;
   const auto found = std::find_if(pictures_.begin(), pictures_.end(), [&](const Picture& one) {
     return one.model == document.model && one.pose == key.pose && one.part == part;
   });
   auto place = static_cast<std::size_t>(found - pictures_.begin());
-  const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(rect_);
-  const auto x_of = [&](std::size_t at) { return rect.X + k_px * static_cast<int>(at % k_across); };
-  const auto y_of = [&](std::size_t at) { return rect.Y + k_px * static_cast<int>(at / k_across); };
   if (found == pictures_.end()) {
     if (drew_ || key.pose.size() != document.model->rig->parameters().size()) return std::nullopt;
     drew_ = changed_ = true;
-    if (pictures_.size() < static_cast<std::size_t>(k_across * k_across)) {
+    if (pictures_.size() < sheet_.count()) {
       pictures_.emplace_back();
     } else {
       place = next_++ % pictures_.size();
@@ -92,20 +93,9 @@ std::optional<std::pair<ImVec2, ImVec2>> PosePictures::place_of(const document::
     std::vector<ModelPoint> posed(rig.vertex_count());
     rig.evaluate(key.pose, posed);
     const PictureFrame& frame = frames_[static_cast<std::size_t>(part)];
-    const auto picture = surface_picture(posed, document.model->mesh->triangles(), frame, k_px);
-    for (int y = 0; y < k_px; ++y) {
-      for (int x = 0; x < k_px; ++x) {
-        const std::uint8_t* px =
-            picture.data() + 2 * (static_cast<std::size_t>(y) * k_px + static_cast<std::size_t>(x));
-        atlas.TexPixelsRGBA32[(y_of(place) + y) * atlas.TexWidth + x_of(place) + x] =
-            IM_COL32(px[0], px[0] * 15 / 16, px[0] * 7 / 8, px[1]);
-      }
-    }
+    sheet_.draw(place, surface_picture(posed, document.model->mesh->triangles(), frame, k_px));
   }
-  const auto corner = [&](int x, int y) {
-    return ImVec2{static_cast<float>(x) * atlas.TexUvScale.x, static_cast<float>(y) * atlas.TexUvScale.y};
-  };
-  return std::pair{corner(x_of(place), y_of(place)), corner(x_of(place) + k_px, y_of(place) + k_px)};
+  return sheet_.corners(place);
 }
 
 }  // namespace penpose::app

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "ui/app/widgets/internal/picture_sheet.h"
 #include "ui/app/widgets/picture_frame.h"
 
 // Small pictures of poses. Private to the module: ImGui's types show.
 
 namespace penpose::app {
 
-/// Draws a posed surface from the front, lit from above the eye, into a square of `px` by `px` grey values with alpha
-/// (two bytes a pixel).
+/// Draws a posed surface from the front, lit from above the eye, into a square of `px` by `px` pixels, RGBA.
 [[nodiscard]] std::vector<std::uint8_t> surface_picture(std::span<const geometry::ModelPoint> positions,
                                                         std::span<const mesh::Triangle> triangles,
                                                         const PictureFrame& frame, int px);
@@ -35,7 +35,7 @@ class PosePictures {
   /// none yet.
   [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> place_of(const document::Document& document,
                                                                   const document::PoseKey& key, FacePart part);
-  [[nodiscard]] bool reserved() const { return rect_ >= 0; }
+  [[nodiscard]] bool reserved() const { return sheet_.reserved(); }
   /// Something was drawn into the texture since it was last asked.
   [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
   /// There is more to draw in the next frame.
@@ -47,7 +47,7 @@ class PosePictures {
     document::SharedPose pose;
     FacePart part = FacePart::all;
   };
-  int rect_ = -1;
+  PictureSheet sheet_{k_px, k_across};
   std::shared_ptr<const document::Model> framed_;  ///< whose `frames_` they are
   PictureFrames frames_;
   std::deque<Picture> pictures_;  ///< by place; as many as there is room for

@@ -1,4 +1,4 @@
-#include "core/document/time/animation_keys.h"
+#include "core/document/time/clips/animation_keys.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/document/time/clip.h"
+#include "core/document/time/clips/clip.h"
 
 #include <algorithm>
 #include <utility>
