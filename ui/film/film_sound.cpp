@@ -18,10 +18,14 @@ void put(std::vector<std::uint8_t>& bytes, std::uint32_t number, int width) {
 
 }  // namespace
 
-sound::Sound sound_of_frames(const sound::Sound& sound, double offset_s, int first, std::size_t frames, double rate) {
+base::Result<sound::Sound> sound_of_frames(const sound::Sound& sound, double offset_s, int first, std::size_t frames,
+                                           double rate) {
   const int rate_hz = sound.rate_hz;
   const std::int64_t begin = sound::sample_of(first / rate, rate_hz);
   const std::int64_t end = sound::sample_of((first + static_cast<double>(frames)) / rate, rate_hz);
+  if (end - begin > k_most_film_samples) {
+    return base::Error{"the sound of so long a film finds no room", "", "film fewer frames, or without the sound"};
+  }
   sound::Sound part;
   part.rate_hz = rate_hz;
   part.samples.resize(static_cast<std::size_t>(end - begin));

@@ -84,7 +84,8 @@ Words codec_of(FilmKind kind, bool sounds) {
   } else {
     words = {"-c:v", "libvpx-vp9", "-crf", "24",      "-b:v", "0",  "-deadline",
              "good", "-cpu-used",  "4",    "-row-mt", "1",    "-f", "webm"};
-    if (sounds) add(words, {"-c:a", "libopus", "-b:a", "128k", "-ar", "48000"});
+    // Opus would begin 7 ms before the pictures.
+    if (sounds) add(words, {"-c:a", "libvorbis", "-q:a", "6", "-ar", "48000"});
   }
   return words;
 }
@@ -97,9 +98,10 @@ base::Status write_video(const FilmPlan& plan, const DrawFrame& draw, const Plac
   Words words = raw_input(plan, plan.rate);
   std::vector<int> files{output->descriptor()};
   if (sound != nullptr) {
-    const sound::Sound part =
+    const auto part =
         sound_of_frames(sound->sound, sound->offset_s, plan.frames.front(), plan.frames.size(), plan.rate);
-    if (auto filled = heard.fill(wav_bytes(part)); !filled) return filled;
+    if (!part) return part.error();
+    if (auto filled = heard.fill(wav_bytes(*part)); !filled) return filled;
     add(words, {"-f", "wav", "-i", k_second_file, "-map", "0:v", "-map", "1:a"});
     files.push_back(heard.descriptor());
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"

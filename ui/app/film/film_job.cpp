@@ -106,8 +106,9 @@ base::Result<FilmJob> FilmJob::start(const document::Document& document, const F
   if (!film::row_of(order.kind).sounds) job.order_.sound = nullptr;
   if (job.order_.sound != nullptr) {
     const auto frames = static_cast<std::size_t>(std::max(0, order.to - order.from)) + 1;
-    const auto bytes =
-        film::wav_bytes(film::sound_of_frames(*order.sound, order.sound_offset_s, order.from, frames, order.rate));
+    const auto part = film::sound_of_frames(*order.sound, order.sound_offset_s, order.from, frames, order.rate);
+    if (!part) return part.error();
+    const auto bytes = film::wav_bytes(*part);
     if (auto written = files::write_file(folder + "/sound.wav", bytes); !written) return written.error();
   }
   if (auto began = job.run(words_of(job.order_, folder)); !began) return began.error();

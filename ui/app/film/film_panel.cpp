@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string>
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/film/film_writer.h"

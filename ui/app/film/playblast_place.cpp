@@ -1,5 +1,6 @@
 #include "ui/app/film/playblast_place.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
