@@ -16,7 +16,7 @@ class GhostDesk : public Desk {
   explicit GhostDesk(const std::string& name) : Desk(name) {
     begin();
     for (const double time : {0.0, 1.0, 2.0, 3.0}) {
-      perform(document::SetParameters{{{"jaw", 0.1 + 0.1 * time}, {"brow_raise_L", 0.2 * time}}});
+      perform(document::SetParameters{{{"jaw", 0.1 + 0.1 * time}, {"brow_inner_L", 0.2 * time}}});
       perform(document::SetKey{time, {}});
     }
     app->of<Playback>().go_to(0.5);

@@ -16,7 +16,7 @@ class OverlapDesk : public Desk {
   explicit OverlapDesk(const std::string& name) : Desk(name) {
     begin();
     for (const double time : {0.0, 1.0, 2.0}) {
-      perform(document::SetParameters{{{"jaw", time > 0 ? 0.8 : 0.2}, {"brow_raise_L", time == 1 ? 0.6 : 0.1}}});
+      perform(document::SetParameters{{{"jaw", time > 0 ? 0.8 : 0.2}, {"brow_inner_L", time == 1 ? 0.6 : 0.1}}});
       perform(document::SetKey{time, {}});
     }
     app->of<Playback>().go_to(0.5);
@@ -63,7 +63,7 @@ TEST(OverlapOffer, BakedKeysAreOneStepAndWhatWasSeen) {
   OverlapDesk desk("overlap-bake");
   desk.click("row jaw");
   for (const auto& key : desk.document().timeline->keys)
-    desk.app->of<Keys>().selected().add(key.time_s, desk.number("brow_raise_L"));
+    desk.app->of<Keys>().selected().add(key.time_s, desk.number("brow_inner_L"));
   desk.app->of<Actions>().run(Action{"overlap"});
   desk.frames();
   ASSERT_EQ(desk.offer().trailing().size(), 2U);
@@ -84,20 +84,20 @@ TEST(OverlapOffer, BakedKeysAreOneStepAndWhatWasSeen) {
 
 TEST(OverlapOffer, ALeaderIsFollowed) {
   OverlapDesk desk("overlap-leader");
-  desk.trail("brow_raise_L");
+  desk.trail("brow_inner_L");
   const auto leaders = desk.offer().leaders();
   ASSERT_NE(std::find(leaders.begin(), leaders.end(), desk.number("jaw")), leaders.end());
-  EXPECT_EQ(std::find(leaders.begin(), leaders.end(), desk.number("brow_raise_L")), leaders.end());
+  EXPECT_EQ(std::find(leaders.begin(), leaders.end(), desk.number("brow_inner_L")), leaders.end());
   OverlapValues values = desk.offer().values();
   values.leader = desk.number("jaw");
   values.amount = 0.5;
   desk.offer().set(values);
   desk.click("Bake##overlap");
   const auto parameters = desk.document().model->rig->parameters();
-  const auto& brow = parameters[desk.number("brow_raise_L")];
+  const auto& brow = parameters[desk.number("brow_inner_L")];
   const auto& jaw = parameters[desk.number("jaw")];
   const double by = 0.6 / (jaw.maximum - jaw.minimum) * 0.5 * (brow.maximum - brow.minimum);
-  EXPECT_NEAR(desk.value("brow_raise_L", 2.5), 0.1 + by, 1e-9);
+  EXPECT_NEAR(desk.value("brow_inner_L", 2.5), 0.1 + by, 1e-9);
 }
 
 TEST(OverlapOffer, OneDrawingSaysHowSoftItIsAndIsTakenBack) {
