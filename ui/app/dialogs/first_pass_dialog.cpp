@@ -181,9 +181,10 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
       if (ready && entry.way == Way::text) show_text(context, with);
       if (ready && entry.way == Way::cues) show_cues(context, with);
       if (ready && entry.way == Way::ear)
-        ImGui::TextWrapped("%s",
-                           "By ear alone lips close on only a fifth to a third of p, b and m, and what is heard is "
-                           "English. Where you know what is said, give the text: then it is 19 of 20.");
+        ImGui::TextWrapped(
+            "%s",
+            "What is heard is English, and by ear alone lips close on two of three p, b and m. Where you "
+            "know what is said, give the text: then it is 19 of 20.");
       if (!entry.told.empty()) ImGui::TextWrapped("%s", entry.told.c_str());
       const bool speaks = ready && (entry.way == Way::ear || (entry.way == Way::text && !entry.text.empty()));
       if (entry.way != Way::cues) {
