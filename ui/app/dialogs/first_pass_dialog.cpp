@@ -120,7 +120,10 @@ bool show_missing(PanelContext& context, const PassOwners& with) {
   }
   if (with.entry.way != Way::cues && with.track.sound() == nullptr) {
     ImGui::TextWrapped("%s", "There is no sound beside the timeline yet.");
-    if (wide_button(context, "Open a sound")) with.dialogs.show(Dialog::sound);
+    if (wide_button(context, "Open a sound")) {
+      with.entry.wants_sound = true;
+      with.dialogs.show(Dialog::sound);
+    }
     return false;
   }
   if (with.entry.way != Way::cues && !with.entry.cannot.empty()) {
@@ -157,7 +160,7 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
   const PassOwners with{editing, track, kept, pass, dialogs, entry};
   if (context.dialog_opens) {
     entry.told.clear();
-    entry.began = false;
+    entry.began = entry.wants_sound = false;
     // What was heard is corrected and spoken again.
     for (const speech::HeardWord& one : pass.words()) {
       if (!entry.wrapped.empty()) break;
@@ -170,7 +173,7 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
   if (entry.began && !pass.listens()) {
     entry.began = false;
     entry.told = pass.refused();
-    if (entry.told.empty() && !pass.stopped()) dialogs.close();
+    if (entry.told.empty() && !pass.stopped()) return dialogs.close();
   }
   if (begin_dialog(context, "First pass", 17)) {
     if (pass.listens()) {
