@@ -5,6 +5,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/file_browser.h"
+#include "ui/app/dialogs/first_pass_entry.h"
 #include "ui/app/files/files.h"
 #include "ui/app/files/leaving.h"
 #include "ui/app/notices.h"
@@ -110,11 +111,14 @@ void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, P
       track.remove();
       dialogs.close();
     }
-    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    bool& for_speech = dialogs.state<FirstPassEntry>().wants_sound;
+    if (wide_button(context, "Cancel")) context.cancels = true;
+    if (context.cancels) for_speech = false;
     if (!chosen.empty()) {
       dialogs.close();
       dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
       track.open(chosen);
+      if (for_speech) dialogs.show(Dialog{"first pass"});
     }
   }
   end_dialog();

@@ -122,7 +122,10 @@ bool show_missing(PanelContext& context, const PassOwners& with) {
   }
   if (with.entry.way != Way::cues && with.track.sound() == nullptr) {
     ImGui::TextWrapped("%s", "There is no sound beside the timeline yet.");
-    if (wide_button(context, "Open a sound")) with.dialogs.show(Dialog::sound);
+    if (wide_button(context, "Open a sound")) {
+      with.entry.wants_sound = true;
+      with.dialogs.show(Dialog::sound);
+    }
     return false;
   }
   if (with.entry.way != Way::cues && !with.entry.cannot.empty()) {
@@ -159,7 +162,7 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
   const PassOwners with{editing, track, kept, pass, files, preferences, dialogs, entry};
   if (context.dialog_opens) {
     entry.told.clear();
-    entry.began = false;
+    entry.began = entry.wants_sound = false;
     // What was heard is corrected and spoken again.
     for (const speech::HeardWord& one : pass.words()) {
       if (!entry.wrapped.empty()) break;
@@ -172,7 +175,7 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
   if (entry.began && !pass.listens()) {
     entry.began = false;
     entry.told = pass.refused();
-    if (entry.told.empty() && !pass.stopped()) dialogs.close();
+    if (entry.told.empty() && !pass.stopped()) return dialogs.close();
   }
   if (begin_dialog(context, "First pass", 17)) {
     if (pass.listens()) {
@@ -183,9 +186,10 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
       if (ready && entry.way == Way::text) show_text(context, with);
       if (ready && entry.way == Way::cues) show_cues(context, with);
       if (ready && entry.way == Way::ear)
-        ImGui::TextWrapped("%s",
-                           "By ear alone lips close on only a fifth to a third of p, b and m, and what is heard is "
-                           "English. Where you know what is said, give the text: then it is 19 of 20.");
+        ImGui::TextWrapped(
+            "%s",
+            "What is heard is English, and by ear alone lips close on two of three p, b and m. Where you "
+            "know what is said, give the text: then it is 19 of 20.");
       if (!entry.told.empty()) ImGui::TextWrapped("%s", entry.told.c_str());
       const bool speaks = ready && (entry.way == Way::ear || (entry.way == Way::text && !entry.text.empty()));
       if (entry.way != Way::cues) {

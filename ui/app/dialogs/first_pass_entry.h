@@ -14,6 +14,7 @@ struct FirstPassEntry {
   std::string told;             ///< why it did not work; empty: it did, or was not tried
   std::string cannot;           ///< why this program cannot listen; empty: it can
   bool looks_for_text = false;  ///< a file is being chosen
+  bool wants_sound = false;     ///< a sound is being opened for it
   bool began = false;           ///< the dialog waits for what is being listened to
 };
 

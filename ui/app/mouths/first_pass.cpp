@@ -5,6 +5,7 @@
 
 #include "core/speech/closures.h"
 #include "core/speech/mouth_keys.h"
+#include "core/speech/nine_mouths.h"
 #include "core/speech/usual_mouths.h"
 #include "ui/files/files.h"
 
@@ -23,6 +24,10 @@ base::Status FirstPass::listen(const std::string& text) {
   refused_.clear();
   if (listens()) return base::Error{"the sound is being listened to", "", "wait, or stop it"};
   if (editing_.document().mouths.empty()) return base::Error{"no mouth is kept", "", "keep some first"};
+  // Nobody wants to wait for what cannot be spoken.
+  document::SpokenMouths all;
+  for (const std::string_view name : speech::k_mouth_names) all.push_back({0, std::string(name)});
+  if (const auto drawn = speech::with_drawn(all, editing_.document().mouths); !drawn) return drawn.error();
   const auto sound = track_.shared_sound();
   if (!sound) return base::Error{"there is no sound beside the timeline", "", "open one first"};
   // One that was stopped ends before.
