@@ -52,7 +52,7 @@ TEST(Settings, WhateverIsInTheFileItIsReadAndWrittenTheSame) {
       } else {
         text[at] = "|=\n ab1\xff"[random() % 8];
       }
-      if (text.empty()) text = "\n";
+      if (text.empty()) text.push_back('\n');
     }
     const Settings read = parse_settings(text);
     ASSERT_EQ(parse_settings(to_text(read)), read) << text;

@@ -215,7 +215,8 @@ std::string browse(PanelContext& context, const BrowsedWith& with, const BrowseL
   const bool wide = ImGui::GetContentRegionAvail().x > k_wide_enough * context.unit;
   show_tools(context, with, look, wide);
   const std::string& typed = look.has_field ? state.text : with.dialogs.state<FileChoice>().name;
-  const bool typed_nothing = typed.empty() && !state.new_name;
+  // What erases the last letter goes nowhere else.
+  const bool typed_nothing = std::exchange(state.was_empty, typed.empty()) && typed.empty() && !state.new_name;
   if (look.has_field) {
     const TextCompleter complete = [&](const std::string& text) {
       return completed_path(folder_of(with), text, home_folder(), {FileSort::name, false, state.view.extensions, {}});

@@ -25,6 +25,7 @@ struct BrowsedWith {
 /// What browsing keeps while the dialog is open. The folder is that of FileChoice.
 struct FileBrowser {
   std::string text;                     ///< typed: the beginning of a name, or a path
+  bool was_empty = false;               ///< nothing was typed in the last frame
   std::optional<std::size_t> chosen;    ///< by the arrows, in what is listed
   bool places_shown = false;            ///< where there is no room for both
   std::size_t kind = 0;                 ///< of the kinds offered

@@ -63,6 +63,7 @@ bool Interface::asks_for_key(int scancode, const KeyStroke& stroke, bool down) {
     if (!down) asked.held = -1;
     return true;
   }
+  if (down) asked.held = -1;
   if (!asked.waits || !down || !dialogs_.any()) return false;
   // Ctrl and Shift alone are no key yet.
   if (stroke.key == 0) return true;
