@@ -267,7 +267,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   rate.width = 2.1F * context.unit;
   row.add(std::move(rate));
   if (const std::string clip = clip_label(with.editing.document()); !clip.empty()) {
-    ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}), tooltip_of(Action{"clips"})};
+    ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}),
+                            context.actions.keys().tooltip_of(Action{"clips"})};
     clips.does = [&] { context.actions.run(Action{"clips"}); };
     row.add(std::move(clips));
   }
