@@ -47,6 +47,7 @@ App::App(AppOptions options)
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
+      shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
@@ -65,7 +66,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_) {
+              sound_, shelf_) {
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;

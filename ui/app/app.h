@@ -25,6 +25,7 @@
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
@@ -106,6 +107,7 @@ class App {
   UndrawnTextures undrawn_;
   Files files_;
   SoundTrack sound_;
+  PoseShelf shelf_;
   Leaving leaving_;
   Recovery recovery_;
   HandDesk desk_;
@@ -123,7 +125,7 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, PoseShelf&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

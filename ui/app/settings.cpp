@@ -91,6 +91,8 @@ void take(Settings& settings, std::string_view name, std::string_view value) {
     take_radial(settings.radial, value);
   } else if (name == "pad") {
     take_pad(settings, value);
+  } else if (name == "pose_folder") {
+    if (value.starts_with('/')) settings.pose_folder = value;
   } else if (name == "recent" && settings.recent.size() < k_most_recent) {
     settings.recent.emplace_back(value);
   }
@@ -139,6 +141,8 @@ std::string to_text(const Settings& settings) {
     for (const auto& [control, binding] : bindings)
       text += "pad=" + tablet + "|" + control + "|" + to_text(binding) + "\n";
   }
+  if (!settings.pose_folder.empty() && settings.pose_folder.find('\n') == std::string::npos)
+    text += "pose_folder=" + settings.pose_folder + "\n";
   for (const std::string& path : settings.recent) {
     if (path.find('\n') == std::string::npos) text += "recent=" + path + "\n";
   }

@@ -34,6 +34,7 @@ struct Settings {
   /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
   /// missing does what `default_binding` says.
   std::map<std::string, std::map<std::string, Binding>> pads;
+  std::string pose_folder;          ///< of the library of poses; empty: the usual one
   std::vector<std::string> recent;  ///< files, the last one first
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -27,7 +27,7 @@ void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Dialogs&);
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
-                             PanelState&);
+                             PanelState&, PoseShelf&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
 
 namespace {

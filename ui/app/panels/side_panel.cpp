@@ -186,7 +186,8 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
 }
 
 void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
-                     Controls& controls, Playback& playback, Notices& notices, Dialogs& dialogs, PanelState& panels) {
+                     Controls& controls, Playback& playback, Notices& notices, Dialogs& dialogs, PanelState& panels,
+                     PoseShelf& shelf) {
   if (begin_panel(context, "side", area)) {
     if (panels.controls_tab) panels.poses_tab = false;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
@@ -200,9 +201,9 @@ void show_side_panel(PanelContext& context, const Area& area, EditingSession& ed
     ImGui::SameLine();
     tab("Controls", true, false, "Controls that were sketched, and new ones");
     ImGui::SameLine();
-    tab("Poses", false, true, "Poses that are keyed, to be taken again");
+    tab("Poses", false, true, "Poses that are keyed, and the library");
     if (panels.poses_tab) {
-      show_poses(context, editing, playback, panels);
+      show_poses(context, editing, playback, panels, shelf);
     } else if (panels.controls_tab) {
       show_deformers(context, editing, canvas, controls, notices, dialogs, panels);
     } else {
