@@ -51,6 +51,7 @@ App::App(AppOptions options)
       film_({editing_, notices_, canvas_, look_, playback_, sound_, files_}),
       mouths_(editing_, notices_, playback_),
       first_pass_(editing_, notices_, playback_, sound_),
+      shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       system_dialogs_({options_.clock, canvas_, look_, files_, leaving_, sound_, dialogs_, notices_, preferences_}),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
@@ -70,7 +71,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_) {
   dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.

@@ -30,6 +30,7 @@
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/playback/sheet/overlap_offer.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
@@ -115,6 +116,7 @@ class App {
   FilmWriter film_;
   KeptMouths mouths_;
   FirstPass first_pass_;
+  PoseShelf shelf_;
   Leaving leaving_;
   SystemDialogs system_dialogs_;
   Recovery recovery_;
@@ -134,7 +136,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

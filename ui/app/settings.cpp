@@ -113,6 +113,12 @@ Why take_key(KeyMap& keys, std::string_view value) {
   return taken ? Why() : taken.error().what;
 }
 
+Why take_pose_folder(Settings& settings, std::string_view value) {
+  if (!value.starts_with('/')) return "is no folder: its path begins with /";
+  settings.pose_folder = value;
+  return {};
+}
+
 Why take_recent(Settings& settings, std::string_view value) {
   if (settings.recent.size() < k_most_recent) settings.recent.emplace_back(value);
   return {};
@@ -141,6 +147,7 @@ constexpr std::array k_lines{
     Line{"radial", [](Settings& to, View value) { return take_radial(to.radial, value); }},
     Line{"key", [](Settings& to, View value) { return take_key(to.keys, value); }},
     Line{"pad", take_pad},
+    Line{"pose_folder", take_pose_folder},
     Line{"recent", take_recent},
 };
 
@@ -208,6 +215,8 @@ std::string to_text(const Settings& settings) {
     for (const auto& [control, binding] : bindings)
       text += "pad=" + tablet + "|" + control + "|" + to_text(binding) + "\n";
   }
+  if (!settings.pose_folder.empty() && settings.pose_folder.find('\n') == std::string::npos)
+    text += "pose_folder=" + settings.pose_folder + "\n";
   for (const std::string& path : settings.recent) {
     if (path.find('\n') == std::string::npos) text += "recent=" + path + "\n";
   }

@@ -39,6 +39,7 @@ struct Settings {
   FileSort file_sort = FileSort::name;  ///< in dialogs of files
   bool hidden_files = false;            ///< there
   bool system_dialogs = true;           ///< of files, where there are some; else ours
+  std::string pose_folder;              ///< of the library of poses; empty: the usual one
   std::vector<std::string> recent;      ///< files, the last one first
   std::vector<std::string> unread;      ///< lines that were not taken, which are written again as they are
   friend bool operator==(const Settings&, const Settings&) = default;

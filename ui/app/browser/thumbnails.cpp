@@ -7,7 +7,7 @@
 #include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/surface_picture.h"
 #include "ui/files/load_model.h"
 #include "ui/render/picture/jpeg.h"
 

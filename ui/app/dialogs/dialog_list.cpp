@@ -27,7 +27,7 @@ void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
 void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Preferences&, Dialogs&);
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&,
-                             const SystemDialogs&, Dialogs&, PanelState&);
+                             const SystemDialogs&, Dialogs&, PanelState&, PoseShelf&);
 void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
 void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Preferences&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);

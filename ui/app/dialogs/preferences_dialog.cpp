@@ -13,6 +13,7 @@
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -26,6 +27,7 @@ enum class Tab : std::uint8_t { view, pen, keys, time, folders };
 /// The tab that is shown.
 struct PreferencesShown {
   Tab tab = Tab::view;
+  std::string pose_folder;  ///< being typed
 };
 
 /// What is shown and changed here.
@@ -37,6 +39,7 @@ struct Owners {
   const SystemDialogs& system;
   Dialogs& dialogs;
   PanelState& panels;
+  PoseShelf& shelf;
 };
 
 /// Equal buttons in a row, of which one is chosen; gives the one that was pressed, or -1.
@@ -121,6 +124,30 @@ void show_time(PanelContext& context, const Owners& with) {
   with.preferences.changed();
 }
 
+/// Where the library of poses is.
+void show_pose_folder(PanelContext& context, const Owners& with) {
+  std::string& typed = with.dialogs.state<PreferencesShown>().pose_folder;
+  ImGui::TextWrapped("Library of poses: %s", with.shelf.folder().c_str());
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float use = button_width(context, "Use it", {}, true);
+  const float usual = button_width(context, "Usual", {}, true);
+  text_field(context, "##pose folder", typed, ImGui::GetContentRegionAvail().x - use - usual - 2 * spacing,
+             "another folder, from /");
+  const bool fits = std::filesystem::path(typed).is_absolute();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!fits);
+  if (wide_button(context, "Use it##pose folder", use, false, "Poses are kept there and read from there")) {
+    with.shelf.choose_folder(typed);
+    typed.clear();
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(with.shelf.folder() == with.shelf.usual_folder());
+  if (wide_button(context, "Usual##pose folder", usual, false, with.shelf.usual_folder().c_str()))
+    with.shelf.choose_folder({});
+  ImGui::EndDisabled();
+}
+
 void show_folders(PanelContext& context, const Owners& with) {
   const std::string session = with.recording.path();
   if (with.system.available()) {
@@ -135,6 +162,7 @@ void show_folders(PanelContext& context, const Owners& with) {
   ImGui::TextWrapped("Autosave: every stroke is written down as it is drawn. After a crash the next start goes on.");
   ImGui::TextWrapped("Session: %s", session.empty() ? "not recorded" : session.c_str());
   ImGui::TextWrapped("Settings: %s", standard_folders().config.c_str());
+  show_pose_folder(context, with);
   leads_to(context, with, "Sessions##preferences", Dialog::sessions, "What was drawn before, to play or to go on with");
   auto& recent = with.preferences.settings().recent;
   const std::string label = "Forget the list of recent files (" + std::to_string(recent.size()) + ")##recent";
@@ -150,8 +178,8 @@ void show_folders(PanelContext& context, const Owners& with) {
 
 void show_preferences_dialog(PanelContext& context, const EditingSession& editing, Playback& playback,
                              Preferences& preferences, const Recording& recording, const SystemDialogs& system,
-                             Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, playback, preferences, recording, system, dialogs, panels};
+                             Dialogs& dialogs, PanelState& panels, PoseShelf& shelf) {
+  const Owners with{editing, playback, preferences, recording, system, dialogs, panels, shelf};
   Tab& tab = dialogs.state<PreferencesShown>().tab;
   if (begin_dialog(context, "Preferences", 16)) {
     const int to =

@@ -11,7 +11,7 @@ void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, T
                   Dialogs&, PanelState&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
 void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
-                     Dialogs&, PanelState&);
+                     Dialogs&, PanelState&, PoseShelf&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
                    Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&);

@@ -188,7 +188,7 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
 
 void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
                      Controls& controls, Playback& playback, Notices& notices, KeptMouths& mouths, Dialogs& dialogs,
-                     PanelState& panels) {
+                     PanelState& panels, PoseShelf& shelf) {
   if (begin_panel(context, "side", area)) {
     if (panels.controls_tab) panels.poses_tab = panels.mouths_tab = false;
     const bool parameters = !panels.controls_tab && !panels.pictured();
@@ -201,7 +201,7 @@ void show_side_panel(PanelContext& context, const Area& area, EditingSession& ed
     const std::array<Tab, 4> tabs{
         {{"Parameters", parameters, "Everything that moves the model, as sliders", nullptr},
          {"Controls", panels.controls_tab, "Controls that were sketched, and new ones", &PanelState::controls_tab},
-         {"Poses", panels.poses_tab, "Poses that are keyed, to be taken again", &PanelState::poses_tab},
+         {"Poses", panels.poses_tab, "Poses that are keyed, and the library", &PanelState::poses_tab},
          {"Mouths", panels.mouths_tab, "The mouths that speech is drawn with", &PanelState::mouths_tab}}};
     // As wide as their words want.
     float words = 0;
@@ -216,7 +216,7 @@ void show_side_panel(PanelContext& context, const Area& area, EditingSession& ed
     if (panels.mouths_tab) {
       show_mouths(context, editing, mouths, dialogs, panels);
     } else if (panels.poses_tab) {
-      show_poses(context, editing, playback, panels);
+      show_poses(context, editing, playback, panels, shelf);
     } else if (panels.controls_tab) {
       show_deformers(context, editing, canvas, controls, notices, dialogs, panels);
     } else {

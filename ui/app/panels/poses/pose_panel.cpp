@@ -5,6 +5,7 @@
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/poses/pose_parts.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
@@ -14,7 +15,8 @@
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
-// The library of poses: those that are keyed, as pictures with names, to be taken as a whole or in part.
+// The poses of the file: those that are keyed, as pictures with names, to be taken as a whole or in part. Beside them
+// the library.
 
 namespace penpose::app {
 namespace {
@@ -24,12 +26,14 @@ struct Owners {
   EditingSession& editing;
   Playback& playback;
   PanelState& panels;
+  PoseShelf& shelf;
 };
 
 /// What is being taken of a pose.
 struct PosesShown {
   PoseChoice choice;
   bool blending = false;  ///< it is being blended in
+  bool library = false;   ///< those of the user's folder are shown, else those of the file
 };
 
 /// The pose that taking the choice would give.
@@ -117,16 +121,8 @@ void show_pictures(PanelContext& context, const Owners& with, float height) {
 /// What of the chosen pose is taken, and how much of it.
 void show_choice(PanelContext& context, const Owners& with) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
-  constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
-                                                                     {FacePart::brows, "Brows##part"},
-                                                                     {FacePart::eyes, "Eyes##part"},
-                                                                     {FacePart::mouth, "Mouth##part"}}};
+  show_part_buttons(context, choice.part, "What of the pose is taken");
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float quarter = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
-  for (const auto& [part, label] : k_parts) {
-    if (part != FacePart::all) ImGui::SameLine();
-    if (wide_button(context, label, quarter, choice.part == part, "What of the pose is taken")) choice.part = part;
-  }
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - spacing);
   ButtonLook mirror{half, choice.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
   if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
@@ -153,13 +149,60 @@ void show_choice(PanelContext& context, const Owners& with) {
   ImGui::EndDisabled();
 }
 
+/// Keeps the chosen pose in the library.
+void show_keep(PanelContext& context, const Owners& with) {
+  const PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  document::Document document = with.editing.document();
+  ImGui::BeginDisabled(!choice.chosen());
+  if (wide_button(context, "Keep in library##pose", -1, false, "The chosen pose, for every other file and rig")) {
+    PoseChoice whole = choice;
+    whole.part = FacePart::all;
+    whole.amount = 1;
+    // An expression moves its targets alone: it is kept as it is on a face at rest.
+    if (choice.expression) document.pose = rig::rest_pose(*document.model->rig);
+    std::string name;
+    if (choice.expression && *choice.expression < document.model->expressions.size())
+      name = document.model->expressions[*choice.expression].name;
+    for (const auto& key : document.timeline->keys) {
+      if (!choice.expression && std::abs(key.time_s - choice.time_s) < 1e-6) name = key.name;
+    }
+    const auto pairs = side_pairs(document.model->rig->parameters());
+    with.shelf.follow();
+    with.shelf.keep(posed(document, values_of_choice(document, whole, pairs)),
+                    name.empty() ? usual_pose_name(with.shelf) : name);
+  }
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
-void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels) {
-  const Owners with{editing, playback, panels};
-  const float below = 3 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
+void show_part_buttons(PanelContext& context, FacePart& chosen, const char* tip) {
+  constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
+                                                                     {FacePart::brows, "Brows##part"},
+                                                                     {FacePart::eyes, "Eyes##part"},
+                                                                     {FacePart::mouth, "Mouth##part"}}};
+  const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
+  for (const auto& [part, label] : k_parts) {
+    if (part != FacePart::all) ImGui::SameLine();
+    if (wide_button(context, label, quarter, chosen == part, tip)) chosen = part;
+  }
+}
+
+void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels,
+                PoseShelf& shelf) {
+  const Owners with{editing, playback, panels, shelf};
+  PosesShown& shown = panels.own.of<PosesShown>();
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (wide_button(context, "This file##poses", half, !shown.library, "Poses that are keyed here"))
+    shown.library = false;
+  ImGui::SameLine();
+  if (wide_button(context, "Library##poses", half, shown.library, "Poses that were kept, for every file and rig"))
+    shown.library = true;
+  if (shown.library) return show_pose_shelf(context, shelf, editing, panels, shown.choice.part);
+  const float below = 4 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
   show_pictures(context, with, std::max(context.unit, ImGui::GetContentRegionAvail().y - below));
   show_choice(context, with);
+  show_keep(context, with);
 }
 
 }  // namespace penpose::app
