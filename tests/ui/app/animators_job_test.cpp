@@ -64,7 +64,7 @@ class Job : public Desk {
     stroke(named_curve("brow_L"));
     stroke(named_curve("brow_L", {0, -up_px}));
     document::SetKey key{app->of<Playback>().time_s(), ""};
-    for (const char* name : {"brow_raise_L", "brow_furrow"}) {
+    for (const char* name : {"brow_inner_L", "brow_furrow"}) {
       if (rig::find_parameter(document().model->rig->parameters(), name)) key.names.emplace_back(name);
     }
     EXPECT_TRUE(app->of<EditingSession>().perform(key));
@@ -110,7 +110,7 @@ TEST(AnimatorsJob, FromTheSoundToTheFilm) {
   job.express(0, 0);
   job.express(1, 14);
   job.express(1.75, 2);
-  EXPECT_GT(job.value("brow_raise_L", 1), job.value("brow_raise_L", 0) + 0.1);
+  EXPECT_GT(job.value("brow_inner_L", 1), job.value("brow_inner_L", 0) + 0.1);
   const double closed = job.value("jaw", 0.7);
   EXPECT_GT(job.value("jaw", 0.4), closed + 0.1) << "the words stay under the expressions";
   // The arc of the brow, bent.
@@ -125,16 +125,16 @@ TEST(AnimatorsJob, FromTheSoundToTheFilm) {
   // The other brow trails.
   job.press('t');
   for (const auto& key : job.document().timeline->keys) {
-    const auto control = rig::find_parameter(job.document().model->rig->parameters(), "brow_raise_L");
+    const auto control = rig::find_parameter(job.document().model->rig->parameters(), "brow_inner_L");
     if (key.controls.has(*control)) job.app->of<Keys>().selected().add(key.time_s, *control);
   }
-  const double led = job.value("brow_raise_L", 0.75);
+  const double led = job.value("brow_inner_L", 0.75);
   job.app->of<Actions>().run(Action{"overlap"});
   job.frames();
   ASSERT_TRUE(job.app->of<OverlapOffer>().open());
   job.app->of<OverlapOffer>().bake();
   job.frames();
-  EXPECT_LT(job.value("brow_raise_L", 0.75), led - 0.02) << "it comes later";
+  EXPECT_LT(job.value("brow_inner_L", 0.75), led - 0.02) << "it comes later";
   // What is saved is what was made, and the film shows that the face moves.
   ASSERT_TRUE(job.app->of<Files>().save(job.path("job.glb")).ok());
   const auto again = io::read_document(tests::read_file(job.path("job.glb")), "job.glb");
