@@ -17,7 +17,7 @@ constexpr double k_ease = 0.15;
 constexpr int k_smoothings = 3;
 /// What the second lasso cuts off of the surface beside its largest piece is no part of the core below this share of
 /// that piece's area.
-constexpr double k_scrap = 0.2;
+constexpr double k_least_area = 0.2;
 /// The falloff ends between these ratios of the way to the core over the surface to the straight one: around a mouth's
 /// corner it is several times as long, over what is bowed as half a circle 1.57 times.
 constexpr double k_detour = 1.8;
@@ -117,7 +117,7 @@ void Falloff::drop_scraps() {
     }
   }
   if (areas.size() < 2) return;
-  const double least = k_scrap * *std::max_element(areas.begin(), areas.end());
+  const double least = k_least_area * *std::max_element(areas.begin(), areas.end());
   for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
     if (specific_[node] != 0 && areas[piece_of[node]] < least) specific_[node] = 0;
   }
