@@ -243,4 +243,8 @@ std::vector<FeatureMoves> FaceMeasure::moves_of(const rig::Pose& pose) const {
   return out;
 }
 
+geometry::ModelPoint in_model(const portrait::FaceFrame& frame, const geometry::ModelPoint& p) {
+  return frame.left * p.x + frame.up * p.y + frame.front * p.z;
+}
+
 }  // namespace penpose::poses

@@ -75,4 +75,7 @@ class FaceMeasure {
   std::vector<std::array<bool, 4>> moves_;  ///< by parameter and part
 };
 
+/// From a place of a face's frame to the model's, or a way.
+[[nodiscard]] geometry::ModelPoint in_model(const portrait::FaceFrame& frame, const geometry::ModelPoint& p);
+
 }  // namespace penpose::poses

@@ -68,11 +68,6 @@ std::optional<KeptLine> line_over(const FaceMeasure& face, std::size_t feature, 
   return kept;
 }
 
-/// From a place of the face's frame to the model's.
-ModelPoint in_model(const portrait::FaceFrame& frame, const ModelPoint& p) {
-  return frame.left * p.x + frame.up * p.y + frame.front * p.z;
-}
-
 std::optional<KeptLine> line_of_face(const FaceMeasure& face, const document::FaceDrawing& drawing,
                                      const document::FaceLine& line) {
   std::string name = line.feature;

@@ -11,10 +11,6 @@ namespace {
 constexpr double k_eye_away = 12;
 constexpr double k_fov_degrees = 24;
 
-ModelVector in_model(const portrait::FaceFrame& frame, const ModelVector& v) {
-  return frame.left * v.x + frame.up * v.y + frame.front * v.z;
-}
-
 base::Result<geometry::Camera> camera_from(const FaceMeasure& face, const ModelVector& from) {
   geometry::Box box;
   for (const ModelPoint& p : face.rest()) box.add(p);
