@@ -10,6 +10,7 @@ Subcommand record_subcommand();
 Subcommand decode_subcommand();
 Subcommand replay_subcommand();
 Subcommand pose_subcommand();
+Subcommand poses_subcommand();
 Subcommand suggest_subcommand();
 Subcommand draw_subcommand();
 Subcommand articulate_subcommand();
@@ -30,6 +31,7 @@ std::span<const Subcommand> subcommands() {
       decode_subcommand(),      //
       replay_subcommand(),      //
       pose_subcommand(),        //
+      poses_subcommand(),       //
       suggest_subcommand(),     //
       draw_subcommand(),        //
       articulate_subcommand(),  //
