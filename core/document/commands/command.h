@@ -33,8 +33,9 @@ template <typename... Some, typename... More, typename... Lists>
 struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
-using Command = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                            CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands>::Type;
+using Command =
+    JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands, CorrectionCommands,
+                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands>::Type;
 
 /// What the command is called.
 [[nodiscard]] inline const Called& called(const Command& command) {
