@@ -46,7 +46,7 @@ App::App(AppOptions options)
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
-      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_}),
+      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
