@@ -48,7 +48,7 @@ App::App(AppOptions options)
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
-      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_}),
+      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
       mouths_(editing_, notices_, playback_),
       first_pass_(editing_, notices_, playback_, sound_),
       shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),

@@ -13,7 +13,7 @@ constexpr int k_gap = 8;
 constexpr double k_wide = 4.0 / 3;
 constexpr std::int64_t k_longest_side = 16384;
 constexpr std::int64_t k_most_px = 64'000'000;
-constexpr std::uint8_t k_ground[4] = {32, 35, 40, 255};
+constexpr std::uint8_t k_ground[4] = {16, 17, 20, 255};
 
 /// Of the digits; beneath a picture there is twice as much room.
 int digits_of(geometry::Viewport cell) { return std::clamp(cell.height / 14, 9, 28); }

@@ -20,6 +20,8 @@ int frame_at(double time_s, double rate) {
 
 }  // namespace
 
+render::Background light_background() { return {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)}; }
+
 base::Result<FilmFrames> FilmFrames::make(document::Document document, double rate) {
   if (document.timeline->keys.empty() && document.model->animations.empty()) {
     return base::Error{"there is nothing to film", "", "key a pose first"};
@@ -79,6 +81,7 @@ base::Result<render::Image> draw_frame(const FilmFrames& frames, int frame, rend
   render::Scene scene = render::scene_of(*moment, posed, appearance);
   scene.wireframe = look.wireframe;
   scene.clay = look.clay;
+  if (look.light) scene.background = light_background();
   auto image = renderer.render(scene, look.camera);
   if (!image || !look.part) return image;
   return part_of(*image, *look.part);

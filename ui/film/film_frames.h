@@ -19,12 +19,16 @@ struct PxPart {
   geometry::Viewport size;
 };
 
+/// The ground behind a model in the window's light colours.
+[[nodiscard]] render::Background light_background();
+
 /// How frames look.
 struct FrameLook {
   geometry::Camera camera;
   std::optional<PxPart> part{};  ///< of what the camera shows; nothing: all of it
   bool wireframe = false;
-  bool clay = false;  ///< without textures and colours of vertices
+  bool clay = false;   ///< without textures and colours of vertices
+  bool light = false;  ///< on light_background()
 };
 
 /// The frames of a document's timeline or, where nothing is keyed, of its model's first animation.

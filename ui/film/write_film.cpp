@@ -139,7 +139,7 @@ base::Status write_gif(const FilmPlan& plan, const DrawFrame& draw, const Waitin
   words = raw_input(plan, rate);
   add(words,
       {"-f", "png_pipe", "-i", k_second_file, "-lavfi",
-       "[0:v][1:v]paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle", "-loop", "0", "-f", "gif", k_first_file});
+       "[0:v][1:v]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle", "-loop", "0", "-f", "gif", k_first_file});
   auto writes = Ffmpeg::start(words, {output->descriptor(), palette.descriptor()});
   if (!writes) return writes.error();
   if (auto drawn = pictures.into(*writes, shown); !drawn) return drawn;

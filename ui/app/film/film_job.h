@@ -27,6 +27,7 @@ struct FilmOrder {
   bool numbers = false;
   bool wireframe = false;
   bool clay = false;
+  bool light = false;                   ///< the ground behind the model is
   const sound::Sound* sound = nullptr;  ///< null: none
   double sound_offset_s = 0;
 };

@@ -10,6 +10,7 @@
 #include "ui/app/film/film_job.h"
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/preferences.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/sound/sound_track.h"
 #include "ui/files/process/own_program.h"
@@ -28,6 +29,7 @@ class FilmWriter {
     const Playback& playback;
     const SoundTrack& sound;
     const Files& files;
+    const Preferences& preferences;
   };
   explicit FilmWriter(const With& with) : with_(with) {}
 

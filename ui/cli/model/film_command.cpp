@@ -46,6 +46,7 @@ struct Options {
   bool silent = false;
   bool wireframe = false;
   bool clay = false;
+  bool light = false;
   bool progress = false;
   std::string draw;
 };
@@ -188,7 +189,7 @@ int run_film(const Options& options) {
   const auto camera = make_camera(options.picture, *first, false);
   if (!camera) return files::report(camera.error(), options.picture.camera);
   const render::Appearance appearance = render::make_appearance(*first);
-  const film::FrameLook look{*camera, *part, options.wireframe, options.clay};
+  const film::FrameLook look{*camera, *part, options.wireframe, options.clay, options.light};
   const auto draw = [&](int frame) { return film::draw_frame(*frames, frame, **renderer, appearance, look); };
   std::optional<Progress> shown;
   const files::StopSignal stops;
@@ -232,6 +233,7 @@ void add_options(CLI::App& command, Options& options) {
   add_draw_option(command, options.draw);
   command.add_flag("--wireframe", options.wireframe, "draw the edges too");
   command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
+  command.add_flag("--light", options.light, "on a light ground, as the window has it in light colours");
   command.add_flag("--progress", options.progress,
                    "print a line for each picture that is drawn: how many there are, and of how many");
   command

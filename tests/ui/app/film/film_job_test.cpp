@@ -86,7 +86,7 @@ TEST_F(FilmDesk, AFilmWithoutFfmpegIsRefusedWithWhatToDo) {
     EXPECT_TRUE(choice().name.ends_with(".png")) << choice().name;
     desk_.click("Film (.webm)");
     const std::string webm = choice().name;
-    desk_.click("Write");
+    desk_.click("Write##film");
     EXPECT_EQ(desk_.app->of<Dialogs>().open(), Dialog::film) << "it cannot be pressed";
     EXPECT_FALSE(writer().writes());
     desk_.click("Cancel");
@@ -125,7 +125,7 @@ TEST_F(FilmDesk, PicturesAreWrittenAndWrittenOverOnlyWhenAskedTwice) {
   choice().folder = desk_.folder.string();
   entry().size = geometry::Viewport{96, 54};
   desk_.frames();
-  desk_.click("Write");
+  desk_.click("Write##film");
   EXPECT_EQ(desk_.app->of<Dialogs>().open(), Dialog::none);
   ASSERT_TRUE(writer().writes());
   ASSERT_TRUE(wait());
@@ -136,9 +136,9 @@ TEST_F(FilmDesk, PicturesAreWrittenAndWrittenOverOnlyWhenAskedTwice) {
   open_dialog();
   choice().name = "shot.png";
   desk_.frames();
-  desk_.click("Write");
+  desk_.click("Write##film");
   EXPECT_FALSE(writer().writes());
-  EXPECT_NE(desk_.interface->find("Write over it"), nullptr);
+  EXPECT_NE(desk_.interface->find("Write over it##film"), nullptr);
   desk_.click("Cancel");
 }
 
