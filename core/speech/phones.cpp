@@ -112,7 +112,7 @@ std::vector<Phone> with_stops(const std::vector<Phone>& said, const std::vector<
       right.from_s = std::max(right.from_s, stop.to_s);
       const bool begins = left.from_s < left.to_s;
       if (begins) before.push_back(left);
-      if (!begins && meet(one, stop)) stop.word = one.word;
+      if (!begins && meet(one, stop) && stop.word.empty()) stop.word = one.word;
       if (begins || meet(one, stop)) right.word.clear();
       if (right.from_s < right.to_s) after.push_back(right);
     }
