@@ -151,22 +151,20 @@ std::vector<mesh::Triangle> triangles_of(const Canvas& canvas, std::uint32_t pie
   return some;
 }
 
-/// The piece with the most vertices of those whose box is as a ball's, about a point.
+/// The largest piece of those whose box is as a ball's, about a point.
 std::uint32_t ball_about(const Canvas& canvas, const ModelPoint& lid, double width) {
   std::vector<geometry::Box> boxes(canvas.mesh().component_count());
-  std::vector<std::size_t> counts(boxes.size(), 0);
   for (std::size_t v = 0; v < canvas.positions().size(); ++v) {
     boxes[canvas.mesh().components()[v]].add(canvas.positions()[v]);
-    ++counts[canvas.mesh().components()[v]];
   }
   std::uint32_t best = 0;
-  std::size_t most = 0;
+  double most = 0;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const ModelVector size = boxes[i].maximum - boxes[i].minimum;
     const bool round = std::min({size.x, size.y, size.z}) > 0.7 * std::max({size.x, size.y, size.z});
-    if (!round || geometry::distance(boxes[i].center(), lid) > width || counts[i] <= most) continue;
+    if (!round || geometry::distance(boxes[i].center(), lid) > width || boxes[i].diagonal() <= most) continue;
     best = i;
-    most = counts[i];
+    most = boxes[i].diagonal();
   }
   return best;
 }
