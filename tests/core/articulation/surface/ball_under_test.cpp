@@ -256,6 +256,27 @@ TEST(BallUnder, LidsGoAroundACornea) {
   expect_lid(made_up("fine cornea", {.rings = 40, .columns = 160, .rows = 81, .off = 0.01, .cornea = 0.1}));
 }
 
+TEST(BallUnder, ALidGoesAroundBetweenItsTargetsToo) {
+  const LidStage stage = made_up("usual", {});
+  Sketch sketch = lid_sketch(stage, Reach::through, 1.0);
+  // Slow at first: half-way it has hardly begun.
+  sketch.betweens = {{0.5, lid_sketch(stage, Reach::through, 0.15).target, std::nullopt}};
+  const Figures figures = measure(stage, *build_deformer(sketch, *stage.canvas).value());
+  EXPECT_TRUE(figures.slides);
+  EXPECT_LE(figures.deepest, 0.005);
+  EXPECT_LE(figures.from_target, 0.03);
+}
+
+/// Sheets that are not over a ball are left alone: a ball behind them, and one that is far away.
+TEST(BallUnder, NothingIsABallThatTheCurveDoesNotLieOn) {
+  for (const double off : {0.6, 2.0}) {
+    const LidStage stage = made_up("far", {.off = off});
+    const auto built = build_deformer(lid_sketch(stage, Reach::through, 1.0), *stage.canvas);
+    ASSERT_TRUE(built.ok()) << built.error().line();
+    EXPECT_EQ((*built)->skin().motion().slide(), nullptr) << off;
+  }
+}
+
 TEST(BallUnder, LidsOfTheBuiltInHeadGoAroundItsEyes) { expect_lid(face_stage("built-in", tests::built_in_face())); }
 
 TEST(SharedBallUnder, LidsOfFacesGoAroundTheirEyes) {
