@@ -191,12 +191,14 @@ void CurveSkin::displacements(double amount, CurveSkinWorkspace& work, std::span
     return;
   }
   moved(amount, work, out);
+  bool between_targets = false;
   for (const BetweenKnot& between : betweens_) {
     const double weight = between.knot.weight(amount);
     if (weight == 0.0) continue;
+    between_targets = true;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += between.differences[i] * weight;
   }
-  if (!betweens_.empty()) hold(out);
+  if (between_targets) hold(out);
 }
 
 /// Between two targets the straight way would cut through the surface.

@@ -27,11 +27,12 @@ class Falloff {
  public:
   Falloff(const Patch& patch, const DrawnRegions& drawn);
 
-  /// Nodes of the patch that lie inside the region of specific interest; 1 a node. Without scraps: small pieces that
-  /// are not joined to the largest inside the lasso, such as the rim of the other lip.
+  /// Nodes of the patch that lie inside the region of specific interest; 1 a node. A smaller piece of it is left out
+  /// that lies next to the largest and far from it over the surface, such as the rim of the other lip.
   [[nodiscard]] std::span<const std::uint8_t> specific() const { return specific_; }
-  /// Nodes that stay because their way to the core over the surface leads far around; 1 a node.
-  [[nodiscard]] std::span<const std::uint8_t> beyond_seam() const { return beyond_seam_; }
+  /// How much of the falloff reaches each node: 1, and less where the way to the core over the surface leads far
+  /// around.
+  [[nodiscard]] std::span<const double> reached() const { return reached_; }
   /// Where the region of specific interest extends beyond that of general interest on the model, as seen from the
   /// middle of its part inside ("on its left"); empty where it does not.
   [[nodiscard]] const std::string& reaches_beyond() const { return reaches_beyond_; }
@@ -45,14 +46,15 @@ class Falloff {
                                             std::span<const double> to_curve) const;
 
  private:
-  void drop_scraps();
+  void drop_rims();
+  void find_reached();
   void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);
   [[nodiscard]] std::vector<double> blended(std::span<const double> to_core, std::span<const std::uint8_t> core) const;
 
   const Patch& patch_;
   std::vector<std::uint8_t> inner_;
   std::vector<std::uint8_t> specific_;
-  std::vector<std::uint8_t> beyond_seam_;
+  std::vector<double> reached_;
   std::string reaches_beyond_;
   std::vector<double> to_border_;
   std::vector<double> to_specific_;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/articulation/surface/sphere.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t k_fewest = 16;
 /// A vertex this near to the sphere is on it, as a share of the radius; as many of all have to be.
 constexpr double k_on_ball = 0.04;
-constexpr double k_most_on_ball = 0.6;
+constexpr double k_share_on_ball = 0.6;
 /// The least extent of a ball along any axis, in radii: a half of one has 1.
 constexpr double k_least_extent = 0.7;
 /// Where a curve lies that moves over a ball, in radii from its centre; as many of its points as that.
@@ -28,11 +29,13 @@ constexpr double k_nearest = 1.2;
 constexpr double k_most_over = 0.9;
 /// How far the target may pass beside the ball as the camera sees it, in radii.
 constexpr double k_beside = 0.03;
-/// What rises this far above the sphere is a bulge, and what passes over it keeps up to as much from it.
-constexpr double k_bulge = 0.004;
+/// Vertices farther from each other than this, counted from the centre, are no true sphere.
+constexpr double k_true = 0.008;
+/// What lies farther out or in is no part of a ball, such as the nerve behind an eye, or an iris set in.
+constexpr double k_highest_rise = 1.25;
+constexpr double k_lowest_rise = 0.85;
+/// How much of its height above the ball a point keeps where the ball pushes it out.
 constexpr double k_clear = 0.01;
-/// What rises more is no part of a ball, such as the nerve behind an eye or its lashes.
-constexpr double k_highest_bulge = 1.25;
 
 struct Piece {
   std::size_t vertices = 0;
@@ -81,7 +84,7 @@ std::optional<Ball> fitted_ball(const std::vector<ModelPoint>& points) {
     ++on;
     box.add(p);
   }
-  const bool round = static_cast<double>(on) >= k_most_on_ball * static_cast<double>(points.size());
+  const bool round = static_cast<double>(on) >= k_share_on_ball * static_cast<double>(points.size());
   if (!round || least_extent(box) < k_least_extent * ball.radius) return std::nullopt;
   return ball;
 }
@@ -96,31 +99,66 @@ double meets(const geometry::Ray& ray, const ModelPoint& center, double level, d
   return std::abs(-b - half - near) <= std::abs(-b + half - near) ? -b - half : -b + half;
 }
 
-class HeldBall : public HeldSurface {
+/// How far the surface of a piece is from the centre in each direction: a table over a stereographic picture of the
+/// side that looks along an axis and a little more. What lies behind has the height of the table's border.
+class Heights {
  public:
-  /// `bulging`: the triangles that rise above the sphere.
-  HeldBall(const Ball& ball, std::span<const ModelPoint> positions, std::span<const mesh::Triangle> bulging)
-      : ball_(ball), top_(ball.radius) {
-    if (bulging.empty()) return;
+  Heights(const Ball& ball, const ModelVector& axis, std::span<const ModelPoint> positions,
+          std::span<const mesh::Triangle> triangles)
+      : axis_(axis) {
+    const ModelVector other = std::abs(axis.x) < 0.6 ? ModelVector{1, 0, 0} : ModelVector{0, 1, 0};
+    right_ = geometry::normalized(glm::cross(axis, other), other);
+    up_ = glm::cross(right_, axis);
     std::vector<glm::vec3> corners;
-    std::vector<mesh::Triangle> triangles;
-    ModelVector sum{0};
-    for (const mesh::Triangle& t : bulging) {
+    std::vector<mesh::Triangle> some;
+    for (const mesh::Triangle& t : triangles) {
       const auto first = static_cast<std::uint32_t>(corners.size());
-      triangles.push_back({first, first + 1, first + 2});
-      for (const std::uint32_t v : t) {
-        const ModelVector from = positions[v] - ball.center;
-        corners.emplace_back(from);
-        sum += geometry::normalized(from, ModelVector{0});
-        top_ = std::max(top_, geometry::length(from));
+      some.push_back({first, first + 1, first + 2});
+      for (const std::uint32_t v : t) corners.emplace_back((positions[v] - ball.center) / ball.radius);
+    }
+    const geometry::TriangleBvh tree(corners, some, geometry::TriangleBvh::Build::quick);
+    constexpr double k_from = 1.5;
+    for (std::size_t row = 0; row < k_cells; ++row) {
+      for (std::size_t column = 0; column < k_cells; ++column) {
+        const double x = (2.0 * static_cast<double>(column) / (k_cells - 1) - 1.0) * k_reach;
+        const double y = (2.0 * static_cast<double>(row) / (k_cells - 1) - 1.0) * k_reach;
+        const double square = x * x + y * y;
+        const ModelVector way = (right_ * (2.0 * x) + up_ * (2.0 * y) + axis_ * (1.0 - square)) / (1.0 + square);
+        const auto hit = tree.nearest_hit({way * k_from, -way});
+        const double height = hit ? k_from - hit->distance : 1.0;
+        heights_[row * k_cells + column] = ball.radius * std::clamp(height, k_lowest_rise, k_highest_rise);
       }
     }
-    axis_ = geometry::normalized(sum, ModelVector{0});
-    for (const glm::vec3& corner : corners) {
-      cosine_ = std::min(cosine_, glm::dot(axis_, geometry::normalized(ModelVector(corner), axis_)));
-    }
-    bulge_.emplace(corners, triangles, geometry::TriangleBvh::Build::quick);
   }
+
+  [[nodiscard]] double at(const ModelVector& way) const {
+    const double beyond = std::max(1.0 + glm::dot(way, axis_), 0.1);
+    const auto [column, along] = place(glm::dot(way, right_) / beyond);
+    const auto [row, across] = place(glm::dot(way, up_) / beyond);
+    const double* low = heights_.data() + row * k_cells + column;
+    const double* high = low + k_cells;
+    return (low[0] * (1 - along) + low[1] * along) * (1 - across) + (high[0] * (1 - along) + high[1] * along) * across;
+  }
+
+ private:
+  static constexpr std::size_t k_cells = 56;
+  static constexpr double k_reach = 1.15;  ///< 98 degrees from the axis
+
+  [[nodiscard]] static std::pair<std::size_t, double> place(double x) {
+    const double at = std::clamp((x / k_reach + 1.0) * 0.5, 0.0, 1.0) * (k_cells - 1);
+    const std::size_t cell = std::min(static_cast<std::size_t>(at), k_cells - 2);
+    return {cell, at - static_cast<double>(cell)};
+  }
+
+  ModelVector axis_;
+  ModelVector right_{0};
+  ModelVector up_{0};
+  std::array<double, k_cells * k_cells> heights_{};
+};
+
+class HeldBall : public HeldSurface {
+ public:
+  HeldBall(const Ball& ball, std::optional<Heights> heights) : ball_(ball), heights_(std::move(heights)) {}
 
   [[nodiscard]] bool consists_of(std::uint32_t /*vertex*/, const ModelPoint& /*rest*/) const override { return false; }
   [[nodiscard]] double level(const ModelPoint& rest) const override { return geometry::distance(rest, ball_.center); }
@@ -133,40 +171,30 @@ class HeldBall : public HeldSurface {
     }
     if (!(size > 0.0)) return rest;
     way /= size;
-    const double before = bulge_ ? height(geometry::normalized(rest - ball_.center, way)) : ball_.radius;
+    const double before = heights_ && level > 0.0 ? heights_->at((rest - ball_.center) / level) : ball_.radius;
     return ball_.center + way * over(way, level, before);
   }
   [[nodiscard]] double lift(const geometry::Ray& ray, double near, double level) const override {
     constexpr int k_rounds = 6;
     double at = meets(ray, ball_.center, level, near);
-    for (int i = 0; bulge_ && i < k_rounds; ++i) {
-      const ModelVector way = ray.origin + ray.direction * at - ball_.center;
-      at = meets(ray, ball_.center, over(geometry::normalized(way, axis_), level, ball_.radius), at);
+    for (int i = 0; heights_ && i < k_rounds; ++i) {
+      const ModelVector way = geometry::normalized(ray.origin + ray.direction * at - ball_.center, -ray.direction);
+      at = meets(ray, ball_.center, over(way, level, std::min(level, heights_->at(way))), at);
     }
     return at > 0.0 ? at : near;
   }
   [[nodiscard]] std::optional<ModelPoint> center() const override { return ball_.center; }
 
  private:
-  /// How far the ball reaches in a direction.
-  [[nodiscard]] double height(const ModelVector& way) const {
-    if (!bulge_ || glm::dot(way, axis_) < cosine_) return ball_.radius;
-    const double from = 1.1 * top_;
-    const auto hit = bulge_->nearest_hit({way * from, -way});
-    return hit ? std::max(ball_.radius, from - hit->distance) : ball_.radius;
-  }
   /// Where a point goes in a direction that was at a level above a height: no deeper than it was, and a little above
   /// where it was above.
   [[nodiscard]] double over(const ModelVector& way, double level, double before) const {
-    if (!bulge_) return level;
-    return std::max(level, height(way) + std::min(level - before, k_clear * ball_.radius));
+    if (!heights_) return level;
+    return std::max(level, heights_->at(way) + std::min(level - before, k_clear * ball_.radius));
   }
 
   Ball ball_;
-  std::optional<geometry::TriangleBvh> bulge_;  ///< about the centre
-  ModelVector axis_{0};
-  double cosine_ = 1;
-  double top_ = 0;
+  std::optional<Heights> heights_;
 };
 
 /// Whether the curve lies on the ball, and the target too as it is seen.
@@ -233,16 +261,29 @@ std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, std::uint32_
     piece = one;
   }
   if (!ball) return nullptr;
-  std::vector<mesh::Triangle> bulging;
+  std::vector<mesh::Triangle> about;
+  double least = std::numeric_limits<double>::max();
+  double most = 0;
   for (const mesh::Triangle& t : canvas.mesh().triangles()) {
     if (of[t[0]] != piece) continue;
-    double highest = 0;
+    bool whole = true;
     for (const std::uint32_t v : t) {
-      highest = std::max(highest, geometry::distance(canvas.positions()[v], ball->center));
+      const double level = geometry::distance(canvas.positions()[v], ball->center);
+      whole = whole && level < k_highest_rise * ball->radius;
+      least = std::min(least, level);
+      most = std::max(most, level);
     }
-    if (highest > (1 + k_bulge) * ball->radius && highest < k_highest_bulge * ball->radius) bulging.push_back(t);
+    if (whole) about.push_back(t);
   }
-  return std::make_shared<const HeldBall>(*ball, canvas.positions(), bulging);
+  std::optional<Heights> heights;
+  if (most - least > k_true * ball->radius) {
+    ModelVector axis{0};
+    for (std::size_t i = 0; i < curves.reference.size(); ++i) {
+      axis += curves.reference[i] + curves.target[i] - ball->center * 2.0;
+    }
+    heights.emplace(*ball, geometry::normalized(axis, ModelVector{0, 0, 1}), canvas.positions(), about);
+  }
+  return std::make_shared<const HeldBall>(*ball, std::move(heights));
 }
 
 }  // namespace penpose::articulation

@@ -151,22 +151,20 @@ std::vector<mesh::Triangle> triangles_of(const Canvas& canvas, std::uint32_t pie
   return some;
 }
 
-/// The piece with the most vertices of those whose box is as a ball's, about a point.
+/// The largest piece of those whose box is as a ball's, about a point.
 std::uint32_t ball_about(const Canvas& canvas, const ModelPoint& lid, double width) {
   std::vector<geometry::Box> boxes(canvas.mesh().component_count());
-  std::vector<std::size_t> counts(boxes.size(), 0);
   for (std::size_t v = 0; v < canvas.positions().size(); ++v) {
     boxes[canvas.mesh().components()[v]].add(canvas.positions()[v]);
-    ++counts[canvas.mesh().components()[v]];
   }
   std::uint32_t best = 0;
-  std::size_t most = 0;
+  double most = 0;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const ModelVector size = boxes[i].maximum - boxes[i].minimum;
     const bool round = std::min({size.x, size.y, size.z}) > 0.7 * std::max({size.x, size.y, size.z});
-    if (!round || geometry::distance(boxes[i].center(), lid) > width || counts[i] <= most) continue;
+    if (!round || geometry::distance(boxes[i].center(), lid) > width || boxes[i].diagonal() <= most) continue;
     best = i;
-    most = counts[i];
+    most = boxes[i].diagonal();
   }
   return best;
 }
@@ -256,6 +254,27 @@ TEST(BallUnder, LidsGoAroundBallsOfAnySizeAndDensity) {
 TEST(BallUnder, LidsGoAroundACornea) {
   expect_lid(made_up("cornea", {.cornea = 0.06}));
   expect_lid(made_up("fine cornea", {.rings = 40, .columns = 160, .rows = 81, .off = 0.01, .cornea = 0.1}));
+}
+
+TEST(BallUnder, ALidGoesAroundBetweenItsTargetsToo) {
+  const LidStage stage = made_up("usual", {});
+  Sketch sketch = lid_sketch(stage, Reach::through, 1.0);
+  // Slow at first: half-way it has hardly begun.
+  sketch.betweens = {{0.5, lid_sketch(stage, Reach::through, 0.15).target, std::nullopt}};
+  const Figures figures = measure(stage, *build_deformer(sketch, *stage.canvas).value());
+  EXPECT_TRUE(figures.slides);
+  EXPECT_LE(figures.deepest, 0.005);
+  EXPECT_LE(figures.from_target, 0.03);
+}
+
+/// Sheets that are not over a ball are left alone: a ball behind them, and one that is far away.
+TEST(BallUnder, NothingIsABallThatTheCurveDoesNotLieOn) {
+  for (const double off : {0.6, 2.0}) {
+    const LidStage stage = made_up("far", {.off = off});
+    const auto built = build_deformer(lid_sketch(stage, Reach::through, 1.0), *stage.canvas);
+    ASSERT_TRUE(built.ok()) << built.error().line();
+    EXPECT_EQ((*built)->skin().motion().slide(), nullptr) << off;
+  }
 }
 
 TEST(BallUnder, LidsOfTheBuiltInHeadGoAroundItsEyes) { expect_lid(face_stage("built-in", tests::built_in_face())); }
