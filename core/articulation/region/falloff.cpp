@@ -16,9 +16,9 @@ constexpr double k_far = std::numeric_limits<double>::infinity();
 constexpr double k_ease = 0.15;
 constexpr int k_smoothings = 3;
 /// The falloff ends between these ratios of the way to the core over the surface to the straight one: from lip to lip
-/// around a mouth's corner it is several times as long, over what is bowed as half a circle 1.57 times.
-constexpr double k_detour = 1.6;
-constexpr double k_longest_detour = 2.2;
+/// around a mouth's corner it is several times as long, over what is bowed as a quarter of a circle 1.11 times.
+constexpr double k_detour = 1.5;
+constexpr double k_longest_detour = 2.0;
 /// A piece that the second lasso cuts off belongs to the core but where it is smaller than this share of the largest
 /// one and its way there leads around as far as that on average: the rim of the other lip, not the back of this one.
 constexpr double k_smaller = 0.35;
