@@ -136,6 +136,10 @@ std::optional<std::size_t> FaceMeasure::find(const std::string& name) const {
   return std::nullopt;
 }
 
+ModelPoint FaceMeasure::in_model(const ModelPoint& p) const {
+  return frame_.left * p.x + frame_.up * p.y + frame_.front * p.z;
+}
+
 std::vector<ModelPoint> FaceMeasure::places(const rig::Pose& pose) const {
   std::vector<ModelPoint> vertices(bound_->vertex_count());
   bound_->evaluate(pose, vertices);

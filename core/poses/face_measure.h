@@ -38,6 +38,8 @@ class FaceMeasure {
   /// Model units: half of the distance between the eyes and half of that from there to the mouth, summed.
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] const portrait::FaceFrame& frame() const { return frame_; }
+  /// From a place or a direction of the frame to the model's.
+  [[nodiscard]] ModelPoint in_model(const ModelPoint& p) const;
 
   /// k_places of each feature, in the frame, model units.
   [[nodiscard]] const std::vector<ModelPoint>& rest() const { return rest_; }

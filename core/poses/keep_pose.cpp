@@ -68,11 +68,6 @@ std::optional<KeptLine> line_over(const FaceMeasure& face, std::size_t feature, 
   return kept;
 }
 
-/// From a place of the face's frame to the model's.
-ModelPoint in_model(const portrait::FaceFrame& frame, const ModelPoint& p) {
-  return frame.left * p.x + frame.up * p.y + frame.front * p.z;
-}
-
 std::optional<KeptLine> line_of_face(const FaceMeasure& face, const document::FaceDrawing& drawing,
                                      const document::FaceLine& line) {
   std::string name = line.feature;
@@ -82,7 +77,7 @@ std::optional<KeptLine> line_of_face(const FaceMeasure& face, const document::Fa
   std::vector<ModelPoint> rest;
   std::vector<double> shares;
   for (std::size_t i = 0; i < k_places; ++i) {
-    rest.push_back(in_model(face.frame(), face.rest()[*feature * k_places + i]));
+    rest.push_back(face.in_model(face.rest()[*feature * k_places + i]));
     shares.push_back(static_cast<double>(i) / static_cast<double>(k_places - 1));
   }
   return line_over(face, *feature, shares, rest, drawing.view, line.line);

@@ -11,16 +11,12 @@ namespace {
 constexpr double k_eye_away = 12;
 constexpr double k_fov_degrees = 24;
 
-ModelVector in_model(const portrait::FaceFrame& frame, const ModelVector& v) {
-  return frame.left * v.x + frame.up * v.y + frame.front * v.z;
-}
-
 base::Result<geometry::Camera> camera_from(const FaceMeasure& face, const ModelVector& from) {
   geometry::Box box;
   for (const ModelPoint& p : face.rest()) box.add(p);
   geometry::CameraPose pose;
-  pose.look_at = in_model(face.frame(), box.center());
-  pose.eye = pose.look_at + in_model(face.frame(), from) * (k_eye_away * face.size());
+  pose.look_at = face.in_model(box.center());
+  pose.eye = pose.look_at + face.in_model(from) * (k_eye_away * face.size());
   pose.vertical_fov_degrees = k_fov_degrees;
   return geometry::Camera::make(pose, {1000, 1000});
 }
@@ -43,7 +39,7 @@ std::optional<intent::DrawnCurve> drawn_curve(const FaceMeasure& face, std::size
     const double share = points.shares[i];
     if (share < line.at.front() - 1e-9 || share > line.at.back() + 1e-9) continue;
     const ModelPoint to = points.rest[i] + move_at(line, share) * face.features()[feature].unit;
-    const auto px = camera->project(in_model(face.frame(), to));
+    const auto px = camera->project(face.in_model(to));
     if (!px) return std::nullopt;
     drawn.reference.push_back(points.points[i]);
     drawn.target.push_back(*px);
