@@ -92,6 +92,14 @@ rig::Pose pose_at(const Document& document, double time_s) {
   return pose;
 }
 
+std::string shown_clip_name(const Document& document) {
+  return document.clips.empty() ? k_timeline_name : clip_name(*document.clips[document.clip]);
+}
+
+std::string clip_name(const Clip& clip) {
+  return clip.name.empty() && clip.animation ? "animation " + std::to_string(*clip.animation + 1) : clip.name;
+}
+
 const Timeline& keys_of_clip(const Document& document, std::size_t number) {
   return number == document.clip ? *document.timeline : *document.clips[number]->timeline;
 }

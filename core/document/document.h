@@ -13,7 +13,7 @@
 #include "core/document/model.h"
 #include "core/document/sound/mouths.h"
 #include "core/document/sound/sound_reference.h"
-#include "core/document/time/clip.h"
+#include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline.h"
 
 namespace penpose::document {
@@ -109,6 +109,9 @@ struct Document {
 /// are.
 [[nodiscard]] rig::Pose pose_at(const Document& document, double time_s);
 
+/// What the clip that is shown is called, or one of Document::clips: an animation without a name by its number from 1.
+[[nodiscard]] std::string shown_clip_name(const Document& document);
+[[nodiscard]] std::string clip_name(const Clip& clip);
 /// The keys of one of Document::clips.
 [[nodiscard]] const Timeline& keys_of_clip(const Document& document, std::size_t number);
 

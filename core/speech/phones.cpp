@@ -65,7 +65,7 @@ std::vector<std::string> spelt(std::string_view word) {
   return out;
 }
 
-std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictionary) {
+std::vector<SaidWord> said_words(std::string_view text, base::Bytes dictionary) {
   const std::vector<std::string> words = words_of(text);
   std::map<std::string, std::vector<std::string>, std::less<>> said;
   for (const std::string& word : words) said.emplace(word, std::vector<std::string>());
@@ -79,13 +79,59 @@ std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictiona
     const auto found = said.find(line.substr(0, gap));
     if (found != said.end() && found->second.empty()) append_phonemes(found->second, line.substr(gap + 1));
   }
-  std::vector<std::string> out;
+  std::vector<SaidWord> out;
   for (const std::string& word : words) {
     const auto& known = said.find(word)->second;
-    const std::vector<std::string> sounds = known.empty() ? spelt(word) : known;
-    out.insert(out.end(), sounds.begin(), sounds.end());
+    out.push_back({word, known.empty() ? spelt(word) : known});
   }
   return out;
+}
+
+std::vector<std::string> phonemes_of(std::string_view text, base::Bytes dictionary) {
+  std::vector<std::string> out;
+  for (const SaidWord& one : said_words(text, dictionary))
+    out.insert(out.end(), one.phonemes.begin(), one.phonemes.end());
+  return out;
+}
+
+std::vector<Phone> with_stops(const std::vector<Phone>& said, const std::vector<Phone>& heard) {
+  const auto meet = [](const Phone& a, const Phone& b) { return a.from_s < b.to_s && a.to_s > b.from_s; };
+  std::vector<Phone> out = said;
+  for (Phone stop : heard) {
+    if (stop.name != "P" || stop.to_s - stop.from_s < k_least_stop_s) continue;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Phone& one) {
+      return meet(one, stop) && (one.name == "P" || one.name == "B" || one.name == "M");
+    });
+    if (known) continue;
+    std::vector<Phone> before;
+    std::vector<Phone> after;
+    for (const Phone& one : out) {
+      Phone left = one;
+      left.to_s = std::min(left.to_s, stop.from_s);
+      Phone right = one;
+      right.from_s = std::max(right.from_s, stop.to_s);
+      const bool begins = left.from_s < left.to_s;
+      if (begins) before.push_back(left);
+      if (!begins && meet(one, stop) && stop.word.empty()) stop.word = one.word;
+      if (begins || meet(one, stop)) right.word.clear();
+      if (right.from_s < right.to_s) after.push_back(right);
+    }
+    before.push_back(stop);
+    before.insert(before.end(), after.begin(), after.end());
+    out = std::move(before);
+  }
+  return out;
+}
+
+std::vector<HeardWord> words_heard(const std::vector<Phone>& phones) {
+  std::vector<HeardWord> words;
+  bool goes_on = false;
+  for (const Phone& phone : phones) {
+    if (!phone.word.empty()) words.push_back({phone.word, phone.from_s, phone.to_s});
+    goes_on = !phone.word.empty() || (goes_on && !phone.name.empty());
+    if (goes_on) words.back().to_s = phone.to_s;
+  }
+  return words;
 }
 
 }  // namespace penpose::speech

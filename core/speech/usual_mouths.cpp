@@ -12,25 +12,29 @@ namespace {
 
 using enum NineMouth;
 
-/// What stands for a mouth that is not drawn; rest for none.
-NineMouth most_like(NineMouth mouth) {
+/// What stands for a mouth that is not drawn, the most like it first.
+std::vector<NineMouth> most_like(NineMouth mouth) {
   switch (mouth) {
     case a:
-      return e;
+      return {e, o, consonants, rest, closed};
     case e:
+      return {consonants, a, l, rest, closed};
     case l:
-      return consonants;
+      return {consonants, e, rest, closed};
     case o:
-      return u;
+      return {u, a, e, rest, closed};
     case u:
+      return {o, rest, closed};
     case consonants:
-    case closed:
-    case rest:
-      return rest;
+      return {rest, e, l, closed};
     case f:
-      return closed;
+      return {closed, rest};
+    case closed:
+      return {rest};
+    case rest:
+      return {closed};
   }
-  return rest;
+  return {};
 }
 
 }  // namespace
@@ -53,14 +57,16 @@ std::vector<document::Mouth> usual_mouths(const document::Model& model) {
 
 base::Result<document::SpokenMouths> with_drawn(const document::SpokenMouths& keys, const document::Mouths& mouths) {
   document::SpokenMouths out = keys;
+  const auto drawn = [&](NineMouth mouth) { return document::find_mouth(mouths, name_of(mouth)) != nullptr; };
   for (document::SpokenMouth& key : out) {
-    const std::string wanted = key.mouth;
-    while (document::find_mouth(mouths, key.mouth) == nullptr) {
-      const auto* name = std::find(k_mouth_names.begin(), k_mouth_names.end(), key.mouth);
-      if (name == k_mouth_names.end() || key.mouth == name_of(rest))
-        return base::Error{"no mouth stands for \"" + wanted + "\"", "", "draw it, or the mouth \"rest\""};
-      key.mouth = name_of(most_like(static_cast<NineMouth>(name - k_mouth_names.begin())));
-    }
+    if (document::find_mouth(mouths, key.mouth) != nullptr) continue;
+    const auto* name = std::find(k_mouth_names.begin(), k_mouth_names.end(), key.mouth);
+    const auto others = name == k_mouth_names.end() ? std::vector<NineMouth>()
+                                                    : most_like(static_cast<NineMouth>(name - k_mouth_names.begin()));
+    const auto other = std::find_if(others.begin(), others.end(), drawn);
+    if (other == others.end())
+      return base::Error{"no mouth stands for \"" + key.mouth + "\"", "", "draw it, or the mouth \"rest\""};
+    key.mouth = name_of(*other);
   }
   return out;
 }

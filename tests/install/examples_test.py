@@ -61,7 +61,8 @@ class Examples(unittest.TestCase):
         done = subprocess.run(['bash', '-c', call], cwd=folder, env=self.environment, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, call + '\n' + done.stderr)
         for path in written:
-            there = os.path.exists(os.path.join(folder, path)) or os.path.exists(os.path.join(folder, path + '0001.png'))
+            there = os.path.exists(os.path.join(folder, path)) or any(
+                os.path.exists(os.path.join(folder, stem + '0001.png')) for stem in (path, os.path.splitext(path)[0]))
             self.assertTrue(there, '%s wrote no %s' % (call, path))
         self.assertTrue(written or done.stdout, call + ' did nothing')
 

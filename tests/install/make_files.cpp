@@ -167,6 +167,13 @@ void write_shapes(const fs::path& folder) {
   write(folder / "shapes" / "lift.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n"));
 }
 
+/// Nine places of a lip whose ends go up.
+std::string moved_lip() {
+  std::string text = "[";
+  for (int i = -4; i <= 4; ++i) text += (i > -4 ? ", " : "") + std::string("[0, ") + (i * i > 8 ? "0.1" : "0") + ", 0]";
+  return text + "]";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -184,6 +191,9 @@ int main(int argc, char** argv) {
   write(folder / "smile.svg", drawing(*head, 0.5));
   write(folder / "rest.svg", drawing(*head, 0));
   write(folder / "keyed.glb", keyed(*head));
+  write(folder / "smile.pose.json", std::string(R"({"penpose_pose": 1, "name": "smile", "values": {"smile": 0.8}, )"
+                                                R"("moves": {"lip_upper": )" +
+                                                moved_lip() + "}}"));
   write(folder / "cases.json", cases(*head));
   write(folder / "track.json", take(*head, 50, 12));
   write(folder / "cues.tsv", std::string("0.00\tX\n0.50\tD\n1.00\tA\n1.10\tD\n1.50\tX\n"));

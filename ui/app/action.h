@@ -132,7 +132,7 @@ inline constexpr std::array k_named_actions{Action::tool_select,
 struct ActionInfo {
   Action action;
   std::string_view label;
-  KeyStroke key;
+  KeyStroke key;    ///< unless another one was chosen (key_map.h)
   KeyStroke other;  ///< a second key for the same
   std::string_view tip;
   std::string_view icon;               ///< icon.h
@@ -143,11 +143,5 @@ struct ActionInfo {
 
 [[nodiscard]] std::span<const ActionInfo> all_actions();
 [[nodiscard]] const ActionInfo& info(Action action);
-/// The action of a key; null when it has none.
-[[nodiscard]] const ActionInfo* action_of(const KeyStroke& key);
-/// "Ctrl+Shift+Z"; empty where there is none.
-[[nodiscard]] std::string shortcut_text(const KeyStroke& key);
-/// The tip with the shortcut, for a tooltip.
-[[nodiscard]] std::string tooltip_of(Action action);
 
 }  // namespace penpose::app

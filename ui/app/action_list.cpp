@@ -80,7 +80,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback, Controls& controls) {
+            SuggestionOffer& offer, Playback& playback, Controls& controls, FilmWriter& film, OverlapOffer& overlap) {
   if (panels.radial) {
     panels.radial.reset();
   } else if (panels.curve_menu) {
@@ -89,12 +89,16 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     close_dialog(dialogs, preferences);
   } else if (offer.open()) {
     offer.dismiss(editing);
+  } else if (overlap.open()) {
+    overlap.dismiss();
   } else if (playback.playing()) {
     playback.play_or_stop();
   } else if (controls.lent().lent()) {
     if (!editing.pen_is_drawing()) controls.lent().give_back();
   } else if (editing.document().pending) {
     editing.perform(document::CancelDeformer{});
+  } else {
+    film.cancel();
   }
 }
 
@@ -308,6 +312,12 @@ constexpr std::array k_actions{
     ActionInfo{{"library"}, "Poses", plain('l'), {}, "The poses that are keyed, to be used again",
      "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z",
      does([](PanelState& panels) { panels.show_poses(); })},
+    ActionInfo{{"mouths"}, "Mouths", ctrl_shift('l'), {}, "The mouths that speech is drawn with, and speech keyed from a sound",
+     "M3 12L8 9L12 10L16 9L21 12L16 16L8 16ZM3 12L21 12",
+     does([](PanelState& panels) { panels.show_mouths(); })},
+    ActionInfo{{"first_pass"}, "First pass", {}, {}, "Let the sound beside the timeline be spoken by the kept mouths",
+     "M3 6L21 6L21 15L12 15L8 20L8 15L3 15ZM7 10.5L17 10.5",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog{"first pass"}); })},
     ActionInfo{{"tour_pose"}, "Tour: pose a face", {}, {},
      "Six strokes on the built-in head, each shown before it is drawn",
      "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:pose"); })},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/app/action.h"
+#include "ui/app/key_map.h"
 
 namespace penpose::app {
 
@@ -12,6 +12,8 @@ class Actions {
   void run(Action action);
   /// Runs the action of a key, if it has one.
   void press(const KeyStroke& key);
+  /// Which keys they have.
+  [[nodiscard]] const KeyMap& keys() const;
   /// Whether it can be used now.
   [[nodiscard]] bool usable(Action action) const;
 

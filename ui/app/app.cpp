@@ -38,16 +38,22 @@ App::App(AppOptions options)
       controls_(editing_, notices_, canvas_, panels_),
       playback_(options_.clock, editing_, notices_, preferences_),
       keys_(editing_, notices_, playback_),
+      overlap_(editing_, playback_, keys_, notices_),
       performer_(editing_, notices_, playback_, player_),
-      film_(editing_, notices_, canvas_, playback_),
-      tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_}),
+      ghosts_(editing_, playback_, notices_),
+      tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
       curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
+      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
+      mouths_(editing_, notices_, playback_),
+      first_pass_(editing_, notices_, playback_, sound_),
+      shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
+      system_dialogs_({options_.clock, canvas_, look_, files_, leaving_, sound_, dialogs_, notices_, preferences_}),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
       place_(options_.clock),
@@ -65,7 +71,8 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_) {
+  dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
@@ -85,9 +92,11 @@ App::~App() {
 }
 
 void App::show_anew() {
+  overlap_.forget();
   playback_.begin();
   controls_.open_document();
   curves_.forget();
+  mouths_.forget();
   canvas_.begin();
   undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
@@ -119,9 +128,11 @@ void App::advance() {
   held_keys_.follow_tool();
   follow_habits();
   film_.follow();
+  system_dialogs_.follow();
   dials_.follow();
   playback_.advance(now);
   sound_.follow(now);
+  first_pass_.follow();
   controls_.swing(now);
   // What was said of a stroke is over with the next one that does something, and with another tool.
   const auto now_is = std::pair(editing_.revision(), &tool_.now());
@@ -136,8 +147,9 @@ void App::advance() {
   performer_.follow(now);
   controls_.tell_doubt_of_feature();
   offer_.follow(editing_);
-  readings_.follow(editing_, offer_.open() || tour_.active() || player_.plays_session() || playback_.playing() ||
-                                 performer_.performing() || sketches(editing_.editor().tool()));
+  overlap_.follow();
+  readings_.follow(editing_, offer_.open() || overlap_.open() || tour_.active() || player_.plays_session() ||
+                                 playback_.playing() || performer_.performing() || sketches(editing_.editor().tool()));
 }
 
 std::int64_t App::wait_for_rest(std::int64_t now_us) {
@@ -158,7 +170,7 @@ void App::follow_habits() {
   // What is played has its own commands.
   if (!player_.plays_session()) {
     habits.mirrors = playback_.while_drawing().mirrors;
-    if (playback_.while_drawing().auto_key && !playback_.playing() && !performer_.performing())
+    if (playback_.while_drawing().auto_key && !overlap_.open() && !playback_.playing() && !performer_.performing())
       habits.keys.emplace(playback_.time_s(), keys_.name_at(playback_.time_s()));
   }
   editing_.habits() = habits;
@@ -169,12 +181,12 @@ void App::begin_frame() {
   canvas_.surface().update(editing_.shown().model(), editing_.shown().pose());
   CurveLook look;
   look.scale = static_cast<float>(canvas_.scale());
-  look.onion_skin = look_.onion_skin;
   // Lines of the moment in which a performance began are those that it pulls at.
   look.time_s = performer_.performing() ? editing_.document().time_s : playback_.time_s();
   look.window = canvas_.window();
   look.stabiliser = preferences_.settings().stabiliser;
   look.tool = &tool_.now();
+  look.onion_skin = look_.onion_skin || look.tool->shows_ghosts;
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
   // Where the features are is found once the pen comes near the face.
@@ -198,11 +210,13 @@ int App::next_frame_ms() {
   }
   if (dials_.waits()) return k_dial_look_ms;
   if (film_.writes()) return k_film_look_ms;
+  if (first_pass_.listens()) return k_dial_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
-  const int told_ms = notices_.next_frame_ms();
-  const int sound_ms = sound_.next_frame_ms();
-  if (told_ms < 0 || sound_ms < 0) return std::max(told_ms, sound_ms);
-  return std::min(told_ms, sound_ms);
+  int next_ms = -1;
+  for (const int ms : {notices_.next_frame_ms(), sound_.next_frame_ms(), system_dialogs_.next_frame_ms()}) {
+    if (ms >= 0) next_ms = next_ms < 0 ? ms : std::min(next_ms, ms);
+  }
+  return next_ms;
 }
 
 }  // namespace penpose::app

@@ -16,15 +16,21 @@
 #include "ui/app/files/player.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/files/recovery.h"
+#include "ui/app/files/system_dialogs.h"
+#include "ui/app/film/film_writer.h"
 #include "ui/app/hands/tablet_events.h"
 #include "ui/app/input/pointer.h"
+#include "ui/app/mouths/first_pass.h"
+#include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
-#include "ui/app/playback/film_writer.h"
+#include "ui/app/playback/ghosts.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/sheet/overlap_offer.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
@@ -95,18 +101,24 @@ class App {
   Controls controls_;
   Playback playback_;
   Keys keys_;
+  OverlapOffer overlap_;
   Performer performer_;
-  FilmWriter film_;
   SuggestionOffer offer_;
   ReadingOffer readings_;
   ArcsInSight arcs_;
+  GhostHand ghosts_;
   ToolInHand tool_;
   CurvesInHand curves_;
   TourGuide tour_;
   UndrawnTextures undrawn_;
   Files files_;
   SoundTrack sound_;
+  FilmWriter film_;
+  KeptMouths mouths_;
+  FirstPass first_pass_;
+  PoseShelf shelf_;
   Leaving leaving_;
+  SystemDialogs system_dialogs_;
   Recovery recovery_;
   HandDesk desk_;
   KnownTablets tablets_;
@@ -123,7 +135,8 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -10,6 +10,7 @@
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
+#include "ui/app/widgets/internal/file_pictures.h"
 #include "ui/app/widgets/internal/pose_picture.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -28,6 +29,8 @@ constexpr double k_least_targets_down = 4.5;
 /// So far, in targets, a press may tremble before it is a drag.
 constexpr double k_drag_slack = 0.25;
 constexpr int k_settle_frames = 3;
+/// Pictures that are being made are looked for so often.
+constexpr int k_picture_look_ms = 60;
 /// Latin, dashes, dots and arrows; and the signs that the panels use, which not every font has.
 constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x2013, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0};
 constexpr ImWchar k_signs[] = {0x21ba, 0x21ba, 0x25b6, 0x25be, 0x2713, 0x2713, 0x270e, 0x270e, 0};
@@ -45,7 +48,8 @@ Interface::Interface(App& app)
       actions_(app.of<Actions>()),
       input_(app.of<PanelInput>()),
       preferences_(app.of<Preferences>()),
-      pictures_(std::make_unique<PosePictures>()) {
+      pictures_(std::make_unique<PosePictures>()),
+      file_pictures_(std::make_unique<FilePictures>()) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -58,12 +62,24 @@ Interface::Interface(App& app)
 
 Interface::~Interface() { ImGui::DestroyContext(); }
 
+void Interface::share_clipboard(Clipboard clipboard) {
+  clipboard_ = std::move(clipboard);
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* self) {
+    auto& interface = *static_cast<Interface*>(self);
+    interface.pasted_ = interface.clipboard_.read();
+    return interface.pasted_.c_str();
+  };
+  io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Interface*>(self)->clipboard_.write(text); };
+}
+
 void Interface::disturb() { unsettled_ = k_settle_frames; }
 
 void Interface::apply_look() {
   const double scale = canvas_.scale();
   const bool light = preferences_.settings().light;
-  const bool pictures = panels_.poses_tab && !pictures_->reserved();
+  const bool pictures = (panels_.pictured() && !pictures_->reserved()) || file_pictures_->wants_room();
   if (scale == look_scale_ && light == look_light_ && !pictures) return;
   if (scale != look_scale_ || pictures) load_fonts(scale);
   look_scale_ = scale;
@@ -89,7 +105,8 @@ void Interface::load_fonts(double scale) {
     fonts.AddFontFromFileTTF(sign_file.c_str(), px, &config, k_signs);
   }
   // Poses are pictured only where somebody looks at them.
-  if (panels_.poses_tab || pictures_->reserved()) pictures_->reserve(fonts);
+  if (panels_.pictured() || pictures_->reserved()) pictures_->reserve(fonts);
+  if (file_pictures_->wants_room() || file_pictures_->reserved()) file_pictures_->reserve(fonts);
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
@@ -112,6 +129,7 @@ void Interface::rest_pointer(double passed_s) {
 int Interface::next_frame_ms() const {
   // A press and its release are told in two frames.
   if (!told_.empty()) return 1;
+  if (file_pictures_->waits() && shown_ != Dialog::none) return k_picture_look_ms;
   if (!tip_waits_) return -1;
   return std::max(1, static_cast<int>(std::ceil(1000 * (k_tip_s - rested_s_))));
 }
@@ -128,6 +146,7 @@ void Interface::frame(double passed_s) {
   if (opens) {
     dialog_area_.reset();
     types_ = has_field_ = false;
+    dialogs_.state<KeyAsked>().waits = false;
     opening_ = panels_.has_keyboard ? 2 : 0;
   }
   take_pointer();
@@ -139,11 +158,17 @@ void Interface::frame(double passed_s) {
   app_.lay_out();
   const auto unit = static_cast<float>(canvas_.target_px());
   pictures_->begin_frame();
-  PanelContext context{actions_,      hits_,
-                       panels_.own,   canvas_.free_area(),
-                       panels_.shown, window,
-                       targets_,      *pictures_,
-                       unit,          static_cast<float>(6 * canvas_.scale())};
+  PanelContext context{actions_,
+                       hits_,
+                       panels_.own,
+                       canvas_.free_area(),
+                       panels_.shown,
+                       window,
+                       targets_,
+                       *pictures_,
+                       *file_pictures_,
+                       unit,
+                       static_cast<float>(6 * canvas_.scale())};
   context.dialog_opens = opens;
   context.tip_due = rested_s_ >= k_tip_s;
   context.accepts = std::exchange(accepts_, false);
@@ -156,6 +181,8 @@ void Interface::frame(double passed_s) {
   show_keyboard(context);
   draw_pointer();
   if (pictures_->take_changed()) ++font_revision_;
+  if (file_pictures_->take_changed()) ++font_revision_;
+  if (file_pictures_->wants_room()) disturb();
   if (pictures_->waits()) disturb();
   menu_open_ = context.menu_open;
   fields_ = std::move(context.fields);

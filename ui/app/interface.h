@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 namespace penpose::app {
 
 struct PanelContext;
+class FilePictures;
 class PosePictures;
 
 /// Panels, menus and dialogs of the app, in ImGui. Knows no window and no OpenGL: it takes what the app knows of the
@@ -39,6 +41,13 @@ class Interface {
 
   /// Draws the mouse's pointer where no system does; nothing: it does.
   void show_pointer(std::optional<PxPoint> at) { pointer_ = at; }
+
+  /// What other programs copied and paste, UTF-8; empty functions: there is none to share.
+  struct Clipboard {
+    std::function<std::string()> read;
+    std::function<void(const char* text)> write;
+  };
+  void share_clipboard(Clipboard clipboard);
 
   /// Typed text, UTF-8.
   void text(const char* utf8);
@@ -71,6 +80,8 @@ class Interface {
   void load_fonts(double scale);
   /// A text field was pressed, and does not have the keyboard yet.
   [[nodiscard]] bool field_pressed() const;
+  /// Hands a key to a dialog that waits for one, whichever it is; false: none does.
+  bool asks_for_key(int scancode, const KeyStroke& stroke, bool down);
   void rest_pointer(double passed_s);
   void show_all(PanelContext& context);
   void take_pointer();
@@ -89,6 +100,7 @@ class Interface {
   PanelInput& input_;
   const Preferences& preferences_;
   std::unique_ptr<PosePictures> pictures_;
+  std::unique_ptr<FilePictures> file_pictures_;
   double look_scale_ = 0;
   bool look_light_ = false;
   int unsettled_ = 0;
@@ -97,6 +109,8 @@ class Interface {
   bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
   int font_revision_ = 0;
   std::optional<PxPoint> pointer_;
+  Clipboard clipboard_;
+  std::string pasted_;  ///< what it had last
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
   DragScroll drag_scroll_;

@@ -23,6 +23,7 @@ class Preferences {
  private:
   std::string folder_;
   Notices& notices_;
+  std::vector<base::Error> refused_;  ///< lines of the file, when it was read
   Settings settings_;
 };
 

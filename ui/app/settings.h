@@ -8,8 +8,9 @@
 
 #include "core/base/result.h"
 #include "replay/session/pen_input.h"
-#include "ui/app/action.h"
+#include "ui/app/browser/file_list.h"
 #include "ui/app/hands/binding.h"
+#include "ui/app/key_map.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/view/ink.h"
 
@@ -30,11 +31,17 @@ struct Settings {
   /// The menu around the pen, clockwise from the top.
   std::array<Action, 8> radial{Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
                                Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
+  KeyMap keys;  ///< of the keyboard
   replay::TabletSetting tablet;
   /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
   /// missing does what `default_binding` says.
   std::map<std::string, std::map<std::string, Binding>> pads;
-  std::vector<std::string> recent;  ///< files, the last one first
+  FileSort file_sort = FileSort::name;  ///< in dialogs of files
+  bool hidden_files = false;            ///< there
+  bool system_dialogs = true;           ///< of files, where there are some; else ours
+  std::string pose_folder;              ///< of the library of poses; empty: the usual one
+  std::vector<std::string> recent;      ///< files, the last one first
+  std::vector<std::string> unread;      ///< lines that were not taken, which are written again as they are
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
@@ -43,11 +50,14 @@ inline constexpr std::size_t k_most_recent = 10;
 inline constexpr std::size_t k_most_pads = 100;
 inline constexpr std::size_t k_most_bindings = 200;
 
-/// "name=value" lines. What cannot be read keeps its default, so that a broken file never keeps the app from starting.
-[[nodiscard]] Settings parse_settings(std::string_view text);
+/// "name=value" lines. What cannot be read keeps its default, so that a broken file never keeps the app from starting;
+/// `refused` gets why, a line each. Lines that begin with # are kept without a word.
+[[nodiscard]] Settings parse_settings(std::string_view text, std::vector<base::Error>* refused = nullptr);
 [[nodiscard]] std::string to_text(const Settings& settings);
 
-[[nodiscard]] Settings load_settings(const std::string& folder);
+[[nodiscard]] Settings load_settings(const std::string& folder, std::vector<base::Error>* refused = nullptr);
+/// The file in that folder.
+[[nodiscard]] std::string settings_file(const std::string& folder);
 /// Written to a temporary file and renamed. An empty folder: nothing is kept.
 base::Status save_settings(const Settings& settings, const std::string& folder);
 

@@ -10,6 +10,7 @@ Subcommand record_subcommand();
 Subcommand decode_subcommand();
 Subcommand replay_subcommand();
 Subcommand pose_subcommand();
+Subcommand poses_subcommand();
 Subcommand suggest_subcommand();
 Subcommand draw_subcommand();
 Subcommand articulate_subcommand();
@@ -17,6 +18,7 @@ Subcommand track_subcommand();
 Subcommand animate_subcommand();
 Subcommand mouths_subcommand();
 Subcommand render_subcommand();
+Subcommand film_subcommand();
 Subcommand convert_subcommand();
 Subcommand serve_subcommand();
 
@@ -29,6 +31,7 @@ std::span<const Subcommand> subcommands() {
       decode_subcommand(),      //
       replay_subcommand(),      //
       pose_subcommand(),        //
+      poses_subcommand(),       //
       suggest_subcommand(),     //
       draw_subcommand(),        //
       articulate_subcommand(),  //
@@ -36,6 +39,7 @@ std::span<const Subcommand> subcommands() {
       animate_subcommand(),     //
       mouths_subcommand(),      //
       render_subcommand(),      //
+      film_subcommand(),        //
       convert_subcommand(),     //
       serve_subcommand(),       //
   };

@@ -95,6 +95,11 @@ TEST(DrawnMouths, WhatIsNotDrawnIsSpokenByTheMostAlike) {
   const auto keys = with_drawn({{0, "A"}, {1, "U"}, {2, "consonants"}}, drawn);
   ASSERT_TRUE(keys);
   EXPECT_EQ(*keys, (document::SpokenMouths{{0, "consonants"}, {1, "rest"}, {2, "consonants"}}));
+  // The six that are drawn first speak everything, and lips close on nothing else than m, b, p and pauses.
+  const document::Mouths six{mouth("closed"), mouth("A"), mouth("E"), mouth("O"), mouth("F"), mouth("L")};
+  const auto spoken = with_drawn({{0, "rest"}, {1, "consonants"}, {2, "U"}, {3, "closed"}, {4, "L"}}, six);
+  ASSERT_TRUE(spoken.ok());
+  EXPECT_EQ(*spoken, (document::SpokenMouths{{0, "closed"}, {1, "E"}, {2, "O"}, {3, "closed"}, {4, "L"}}));
   EXPECT_EQ(with_drawn({{0, "grin"}}, drawn).error().what, "no mouth stands for \"grin\"");
   EXPECT_FALSE(with_drawn({{0, "U"}}, {mouth("A")}).ok());
   EXPECT_TRUE(usual_mouths(tests::sheet_model()).empty()) << "no control of it is called like a mouth";

@@ -1,7 +1,7 @@
-#include "ui/app/action.h"
-
 #include <gtest/gtest.h>
 #include <map>
+
+#include "ui/app/key_map.h"
 
 namespace penpose::app {
 namespace {
@@ -13,7 +13,7 @@ TEST(Action, NoTwoActionsHaveOneKey) {
       if (key.key == 0) continue;
       const auto [at, is_new] = taken.emplace(shortcut_text(key), one.label);
       EXPECT_TRUE(is_new) << one.label << " and " << at->second << " share " << at->first;
-      EXPECT_EQ(action_of(key), &one);
+      EXPECT_EQ(KeyMap().action_of(key), &one);
     }
   }
 }
@@ -31,9 +31,9 @@ TEST(Action, EveryNamedActionIsInTheList) {
 }
 
 TEST(Action, TooltipsShowTheShortcut) {
-  EXPECT_EQ(tooltip_of(Action::redo), "Bring back what was undone (Ctrl+Shift+Z)");
+  EXPECT_EQ(KeyMap().tooltip_of(Action::redo), "Bring back what was undone (Ctrl+Shift+Z)");
   EXPECT_EQ(shortcut_text({' ', false, false}), "Space");
-  EXPECT_EQ(action_of({'q', false, false}), nullptr);
+  EXPECT_EQ(KeyMap().action_of({'q', false, false}), nullptr);
 }
 
 }  // namespace

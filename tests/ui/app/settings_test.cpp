@@ -38,6 +38,8 @@ TEST(Settings, WhateverIsInTheFileItIsReadAndWrittenTheSame) {
   Settings full;
   full.pads["056a:0314"]["BTN_1"] = binding_of(Action::frame_all);
   full.pads["056a:0314"]["ring 1 light 1"] = binding_of(DialUse::time);
+  full.keys.set(Action::undo, 0, {'u', false, false});
+  full.keys.set(Action::redo, 1, {'z', true, false});
   remember_file(full, "/tmp/a.glb");
   const std::string whole = to_text(full);
   std::mt19937 random(5);
@@ -50,7 +52,7 @@ TEST(Settings, WhateverIsInTheFileItIsReadAndWrittenTheSame) {
       } else {
         text[at] = "|=\n ab1\xff"[random() % 8];
       }
-      if (text.empty()) text = "\n";
+      if (text.empty()) text.push_back('\n');
     }
     const Settings read = parse_settings(text);
     ASSERT_EQ(parse_settings(to_text(read)), read) << text;
@@ -62,7 +64,27 @@ TEST(Settings, WhatCannotBeReadKeepsItsDefault) {
       "scale=99\nlight=maybe\ntablet_area=0.9 0 0.1 1\ntablet_pressure=1 2 3\n=\nscale\n\x01\xff=\nsteps_seen=1");
   Settings expected;
   expected.steps_seen = true;
+  expected.unread = {"scale=99", "light=maybe", "tablet_area=0.9 0 0.1 1", "tablet_pressure=1 2 3", "=",
+                     "scale",    "\x01\xff="};
   EXPECT_EQ(settings, expected);
+}
+
+TEST(Settings, ALineThatIsNotTakenIsNamedAndStaysInTheFile) {
+  std::vector<base::Error> refused;
+  Settings settings = parse_settings(
+      "# mine\nlight=1\nkey=fly|Q\nkey=undo|Hyper+Q\nkey=undo|U\nkey=redo|U\nnew_thing=3\nkey=cancel|Q\n", &refused);
+  ASSERT_EQ(refused.size(), 5U) << "a remark is no mistake";
+  EXPECT_EQ(refused[0].line("settings"),
+            "settings: line 3: \"key=fly|Q\" is not taken: no action is called that; mend the line or take it out");
+  EXPECT_NE(refused[1].what.find("a key is written as"), std::string::npos);
+  EXPECT_NE(refused[2].what.find("another line gives that key to undo"), std::string::npos);
+  EXPECT_NE(refused[3].what.find("sets nothing that is known"), std::string::npos);
+  EXPECT_NE(refused[4].what.find("stay what they are"), std::string::npos);
+  EXPECT_EQ(settings.keys.shortcut_of(Action::undo), "U");
+  settings.light = false;
+  const std::string text = to_text(settings);
+  for (const char* kept : {"# mine\n", "key=fly|Q\n", "key=undo|Hyper+Q\n", "new_thing=3\n", "light=0\n"})
+    EXPECT_NE(text.find(kept), std::string::npos) << kept;
 }
 
 TEST(Settings, AFileThatIsOpenedAgainMovesToTheFrontAndTheListStaysShort) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "core/geometry/space.h"
 
@@ -14,14 +13,6 @@ constexpr double k_least_move = 1e-6;
 /// A control is of a part that it moves so many times as far as any other.
 constexpr double k_distinctly = 1.5;
 
-std::optional<FacePart> part_of_feature(std::string_view name) {
-  const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
-  if (has("brow")) return FacePart::brows;
-  if (has("lid") || has("eye")) return FacePart::eyes;
-  if (has("lip") || has("mouth") || has("jaw")) return FacePart::mouth;
-  return std::nullopt;
-}
-
 /// The vertices below the points of features, and the part of each.
 struct FeatureVertices {
   std::vector<std::uint32_t> vertices;
@@ -31,7 +22,7 @@ struct FeatureVertices {
 FeatureVertices vertices_of(std::span<const portrait::FeatureCurve> features) {
   FeatureVertices all;
   for (const portrait::FeatureCurve& curve : features) {
-    const auto part = part_of_feature(curve.name);
+    const auto part = poses::part_of_feature(curve.name);
     if (!part) continue;
     for (const posing::CurvePoint& point : curve.points) {
       all.vertices.push_back(portrait::nearest_vertex(point));

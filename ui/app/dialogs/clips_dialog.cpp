@@ -8,7 +8,6 @@
 #include "core/document/time/animation_sampling.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/panels/panels.h"
-#include "ui/app/playback/clip_names.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -59,7 +58,7 @@ void perform(const Owners& with, const document::Command& command) {
 std::string fresh_name(const document::Document& document, const std::string& name) {
   const auto taken = [&](const std::string& one) {
     const auto& animations = document.model->animations;
-    return one == shown_clip_name(document) ||
+    return one == document::shown_clip_name(document) ||
            std::any_of(document.clips.begin(), document.clips.end(), [&](const auto& c) { return c->name == one; }) ||
            std::any_of(animations.begin(), animations.end(), [&](const auto& a) { return a.name == one; });
   };
@@ -76,7 +75,7 @@ void show_list(PanelContext& context, const document::Document& document, float 
   if (document.clips.empty())
     row(context, std::string(document::k_timeline_name) + "##clip", detail_of(*document.timeline), true, "Is shown");
   for (std::size_t i = 0; i < document.clips.size(); ++i) {
-    const std::string label = clip_name(*document.clips[i]) + "##clip" + std::to_string(i);
+    const std::string label = document::clip_name(*document.clips[i]) + "##clip" + std::to_string(i);
     if (row(context, label, detail_of(document::keys_of_clip(document, i)), i == document.clip, "Show this clip"))
       does = document::ShowClip{static_cast<std::uint32_t>(i)};
   }
@@ -85,7 +84,7 @@ void show_list(PanelContext& context, const document::Document& document, float 
                                   [&](const auto& clip) { return clip->animation == i; });
     if (open) continue;
     const document::Animation& animation = document.model->animations[i];
-    const std::string name = clip_name({animation.name, i});
+    const std::string name = document::clip_name({animation.name, i});
     const std::string label = name + "##animation" + std::to_string(i);
     if (row(context, label, "of the file, " + seconds(document::duration_s(animation)), false,
             "Open its keys; what is not changed is written as it was"))
@@ -99,7 +98,7 @@ void show_changes(PanelContext& context, const document::Document& document, con
                   std::string& name, std::optional<document::Command>& does) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const std::string shown = shown_clip_name(document);
+  const std::string shown = document::shown_clip_name(document);
   const auto button = [&](const char* label, float width, bool enabled, const char* tip) {
     ImGui::BeginDisabled(!enabled);
     const bool pressed = wide_button(context, label, width, false, tip);
@@ -132,7 +131,8 @@ void show_clips_dialog(PanelContext& context, EditingSession& editing, Playback&
     std::optional<document::Command> does;
     const document::Document& document = editing.document();
     ClipNameEntry& entry = dialogs.state<ClipNameEntry>();
-    if (entry.of != shown_clip_name(document)) entry = {shown_clip_name(document), shown_clip_name(document)};
+    if (entry.of != document::shown_clip_name(document))
+      entry = {document::shown_clip_name(document), document::shown_clip_name(document)};
     const float rows = std::clamp(static_cast<float>(context.window.height) / context.unit - 6.5F, 2.0F, 8.0F);
     show_list(context, document, rows * context.unit, does);
     show_changes(context, document, playback, entry.text, does);

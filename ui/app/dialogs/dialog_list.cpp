@@ -8,9 +8,9 @@
 namespace penpose::app {
 
 // Each stands in a file of this folder. A new one is that file, a line here and a row below.
-void show_open_dialog(PanelContext&, Files&, Leaving&, Dialogs&);
-void show_save_dialog(PanelContext&, Files&, Leaving&, Dialogs&);
-void show_export_dialog(PanelContext&, Files&, Notices&, Dialogs&);
+void show_open_dialog(PanelContext&, Files&, Leaving&, Preferences&, Dialogs&);
+void show_save_dialog(PanelContext&, Files&, Leaving&, Preferences&, Dialogs&);
+void show_export_dialog(PanelContext&, Files&, Notices&, Preferences&, Dialogs&);
 void show_recent_dialog(PanelContext&, Leaving&, Preferences&);
 void show_recover_dialog(PanelContext&, Recovery&);
 void show_steps_dialog(PanelContext&);
@@ -25,11 +25,14 @@ void show_shortcuts_dialog(PanelContext&, EditingSession&, Playback&, Preference
 void show_search_dialog(PanelContext&, EditingSession&, Playback&, Preferences&, Leaving&, Dialogs&, PanelState&);
 void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
-void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Dialogs&);
-void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&, Dialogs&,
-                             PanelState&);
-void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Dialogs&);
+void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Preferences&, Dialogs&);
+void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&,
+                             const SystemDialogs&, Dialogs&, PanelState&, PoseShelf&);
+void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
+void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Preferences&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
+void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
+                            Dialogs&);
 
 namespace {
 
@@ -69,8 +72,10 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog::film, show<show_film_dialog>},
     DialogRow{Dialog::backdrop, show<show_backdrop_dialog>},
     DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
+    DialogRow{Dialog{"keyboard"}, show<show_keyboard_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
+    DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},
 };
 
 }  // namespace

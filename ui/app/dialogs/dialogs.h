@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ui/app/states.h"
 
@@ -27,7 +29,12 @@ class Dialogs {
  public:
   [[nodiscard]] Dialog open() const { return open_; }
   [[nodiscard]] bool any() const { return open_ != Dialog::none; }
-  void show(Dialog dialog) { open_ = dialog; }
+  /// Shows it, here or where `send_elsewhere` does.
+  void show(Dialog dialog) { open_ = elsewhere_ && elsewhere_(dialog) ? Dialog::none : dialog; }
+  /// Shows our own.
+  void show_ours(Dialog dialog) { open_ = dialog; }
+  /// Who may show a dialog in place of ours: true, it does.
+  void send_elsewhere(std::function<bool(Dialog)> elsewhere) { elsewhere_ = std::move(elsewhere); }
   void close() { open_ = Dialog::none; }
   /// What a dialog keeps, made when it is first asked for.
   template <typename State>
@@ -37,6 +44,7 @@ class Dialogs {
 
  private:
   Dialog open_ = Dialog::none;
+  std::function<bool(Dialog)> elsewhere_;
   States states_;
 };
 

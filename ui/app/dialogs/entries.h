@@ -7,6 +7,7 @@
 #include "core/geometry/camera.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/hands/binding.h"
+#include "ui/app/key_stroke.h"
 #include "ui/app/view/area.h"
 
 // What dialogs keep that others fill or look at.
@@ -30,6 +31,13 @@ struct KeyNameEntry {
 struct SearchEntry {
   std::string text;
   std::size_t chosen = 0;  ///< of what was found
+};
+
+/// A dialog that waits for a key, whichever it is: `Interface` gives it that in place of what it does else.
+struct KeyAsked {
+  bool waits = false;
+  KeyStroke pressed;  ///< a key of 0: none yet
+  int held = -1;      ///< the scancode of the key that was given, until it is let go: it types nothing
 };
 
 /// Whose keys are shown, and which of them something is chosen for.

@@ -1,11 +1,11 @@
-#include <algorithm>
 #include <filesystem>
-#include <span>
+#include <vector>
 
-#include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/file_browser.h"
+#include "ui/app/dialogs/first_pass_entry.h"
 #include "ui/app/files/files.h"
 #include "ui/app/files/leaving.h"
 #include "ui/app/notices.h"
@@ -20,73 +20,11 @@
 namespace penpose::app {
 namespace {
 
-/// What is shown and changed here.
-struct Owners {
-  Files& files;
-  Dialogs& dialogs;
-};
+using Owners = BrowsedWith;
 
 namespace fs = std::filesystem;
 
-constexpr float k_wide = 17;
-/// Behind the name of a model, before the extension: the project that was made of it.
-constexpr std::string_view k_own_end = ".penpose";
-
-bool has_extension(const fs::path& path, std::span<const std::string> extensions) {
-  const std::string extension = base::lower_case(path.extension().string());
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
-}
-
-/// Models, and what a session or a trace is kept in.
-std::vector<std::string> opened() {
-  auto extensions = io::extensions_read();
-  extensions.insert(extensions.end(), {".session", ".hid", ".trace"});
-  return extensions;
-}
-const std::vector<std::string>& pictures() {
-  static const std::vector<std::string> extensions{".png", ".jpg", ".jpeg"};
-  return extensions;
-}
-
-/// Folders first, then files with some extensions, by name.
-std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const std::string> extensions) {
-  std::vector<fs::directory_entry> entries;
-  std::error_code code;
-  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
-    if (it->path().filename().string().starts_with('.')) continue;
-    std::error_code ignored;
-    if (it->is_directory(ignored) || has_extension(it->path(), extensions)) entries.push_back(*it);
-  }
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-    std::error_code ignored;
-    const bool a_folder = a.is_directory(ignored);
-    const bool b_folder = b.is_directory(ignored);
-    return a_folder != b_folder ? a_folder : a.path().filename() < b.path().filename();
-  });
-  return entries;
-}
-
-/// The folder with its parent and what is in it. Gives the file that was chosen.
-std::string browse(PanelContext& context, const Owners& with, float height, std::span<const std::string> extensions) {
-  std::string& folder = with.dialogs.state<FileChoice>().folder;
-  std::string chosen;
-  ImGui::TextUnformatted(folder.c_str());
-  begin_list(context, "files", {0, height}, true);
-  if (wide_button(context, "..##parent", -1)) folder = fs::path(folder).parent_path().string();
-  for (const auto& entry : entries_of(folder, extensions)) {
-    std::error_code ignored;
-    const bool is_folder = entry.is_directory(ignored);
-    const std::string name = entry.path().filename().string() + (is_folder ? "/" : "");
-    if (!wide_button(context, name.c_str(), -1)) continue;
-    if (is_folder) {
-      folder = entry.path().string();
-      break;
-    }
-    chosen = entry.path().string();
-  }
-  ImGui::EndChild();
-  return chosen;
-}
+constexpr float k_wide = 22;
 
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`. Before a file
 /// that is there is lost that is said, and pressed for once more.
@@ -94,11 +32,15 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
                  std::string (*written_to)(const std::string& chosen) = nullptr) {
   FileChoice& choice = with.dialogs.state<FileChoice>();
   if (context.dialog_opens) choice.asked_of.clear();
-  dialog_field(context, "##name", choice.name, "name.glb");
-  if (const std::string file = browse(context, with, 6 * context.unit, opened()); !file.empty()) {
+  const TextCompleter complete = [&](const std::string& text) {
+    return completed_path(choice.folder, text, home_folder(), {});
+  };
+  dialog_field(context, "##name", choice.name, "name.glb", &complete);
+  if (const std::string file = browse(context, with, {opened_kinds(), 6, 1, false}); !file.empty()) {
     choice.name = fs::path(file).filename().string();
   }
-  path = (fs::path(choice.folder) / choice.name).string();
+  const TypedPath typed = typed_path(choice.folder, choice.name, home_folder());
+  path = (fs::path(typed.folder) / typed.name).string();
   if (written_to != nullptr) path = written_to(path);
   if (choice.asked_of != path) choice.asked_of.clear();
   const bool asked = !choice.asked_of.empty();
@@ -117,53 +59,39 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
     ImGui::SameLine();
     cancel();
   }
-  if (!pressed || choice.name.empty()) return false;
+  if (!pressed || typed.name.empty()) return false;
   if (asked) return true;
   choice.lost = with.files.lost_by_writing(path);
   choice.asked_of = choice.lost.empty() ? std::string() : path;
   return choice.lost.empty();
 }
 
-/// Without what the program itself puts behind a name.
-std::string stem_of(const Owners& with) {
-  const std::string from = !with.files.project().empty() ? with.files.project() : with.files.path();
-  if (from.starts_with("builtin:")) return "head";
-  std::string stem = fs::path(from).stem().string();
-  if (stem.size() > k_own_end.size() && stem.ends_with(k_own_end)) stem.resize(stem.size() - k_own_end.size());
-  return stem;
-}
-
-/// What a project is called that is saved for the first time: never as the model that was opened.
-std::string name_for_project(const Owners& with) {
-  const std::string& folder = with.dialogs.state<FileChoice>().folder;
-  std::string stem = stem_of(with);
-  std::error_code code;
-  const bool taken = fs::exists(fs::path(folder) / (stem + ".glb"), code);
-  if (taken && !with.files.path().starts_with("builtin:")) stem += k_own_end;
-  return fs::path(free_path(folder, stem, ".glb")).filename().string();
-}
-
 }  // namespace
 
-void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Dialogs& dialogs) {
-  const Owners with{files, dialogs};
+void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Preferences& preferences,
+                      Dialogs& dialogs) {
+  const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "Open", k_wide)) {
     std::string chosen;
-    if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
-    if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
-    if (const std::string file = browse(context, with, 8 * context.unit, opened()); !file.empty()) chosen = file;
+    if (const std::string file = browse(context, with, {opened_kinds(), 8}); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    ImGui::SameLine();
+    if (wide_button(context, "Head with controls", 0, false, "The built-in head with its controls"))
+      chosen = "builtin:demo";
+    ImGui::SameLine();
+    if (wide_button(context, "Head alone", 0, false, "The built-in head, to sketch controls on"))
+      chosen = "builtin:head";
     if (!chosen.empty()) leaving.ask_to_open(chosen);
   }
   end_dialog();
 }
 
 void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& look, Files& files, Notices& notices,
-                          Dialogs& dialogs) {
-  const Owners with{files, dialogs};
+                          Preferences& preferences, Dialogs& dialogs) {
+  const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "A picture behind the model", k_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, with, 8 * context.unit, pictures());
+    const std::string chosen = browse(context, with, {picture_kinds(), 8});
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
     if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
       dialogs.close();
@@ -173,21 +101,24 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
   end_dialog();
 }
 
-void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, Dialogs& dialogs) {
-  static const std::vector<std::string> sounds{".wav", ".flac", ".ogg", ".oga"};
-  const Owners with{files, dialogs};
+void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, Preferences& preferences,
+                       Dialogs& dialogs) {
+  const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
-    const std::string chosen = browse(context, with, 8 * context.unit, sounds);
+    const std::string chosen = browse(context, with, {sound_kinds(), 8, track.sound() != nullptr ? 2.0F : 1.0F});
     if (track.sound() != nullptr && wide_button(context, "Take the sound away")) {
       track.remove();
       dialogs.close();
     }
-    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    bool& for_speech = dialogs.state<FirstPassEntry>().wants_sound;
+    if (wide_button(context, "Cancel")) context.cancels = true;
+    if (context.cancels) for_speech = false;
     if (!chosen.empty()) {
       dialogs.close();
       dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
       track.open(chosen);
+      if (for_speech) dialogs.show(Dialog{"first pass"});
     }
   }
   end_dialog();
@@ -210,12 +141,12 @@ void show_recent_dialog(PanelContext& context, Leaving& leaving, Preferences& pr
   end_dialog();
 }
 
-void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Dialogs& dialogs) {
-  const Owners with{files, dialogs};
+void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Preferences& preferences,
+                      Dialogs& dialogs) {
+  const Owners with{files, preferences, dialogs};
   if (dialogs.state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
-    dialogs.state<FileChoice>().name =
-        files.project().empty() ? name_for_project(with) : fs::path(files.project()).filename().string();
+    dialogs.state<FileChoice>().name = name_to_save(files, dialogs.state<FileChoice>().folder);
   }
   if (begin_dialog(context, "Save", k_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
@@ -225,12 +156,12 @@ void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Dia
   end_dialog();
 }
 
-void show_export_dialog(PanelContext& context, Files& files, Notices& notices, Dialogs& dialogs) {
-  const Owners with{files, dialogs};
+void show_export_dialog(PanelContext& context, Files& files, Notices& notices, Preferences& preferences,
+                        Dialogs& dialogs) {
+  const Owners with{files, preferences, dialogs};
   std::string& name = dialogs.state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
-    name =
-        fs::path(free_path(dialogs.state<FileChoice>().folder, stem_of(with) + "-export", ".glb")).filename().string();
+    name = name_to_export(files, dialogs.state<FileChoice>().folder);
   }
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);

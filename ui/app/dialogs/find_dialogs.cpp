@@ -30,7 +30,8 @@ struct Owners {
 };
 
 SearchedIn searched_in(const Owners& with) {
-  return {with.editing.document(), with.playback.rate(), with.preferences.settings().recent};
+  return {with.editing.document(), with.preferences.settings().keys, with.playback.rate(),
+          with.preferences.settings().recent};
 }
 
 std::string_view icon_of(const FoundCommand& found) {
@@ -127,13 +128,18 @@ void show_shortcuts_dialog(PanelContext& context, EditingSession& editing, Playb
     for (const FoundCommand& one : find_commands(searched_in(with), dialogs.state<SearchEntry>().text)) {
       if (one.kind != FoundCommand::Kind::action) continue;
       const ActionInfo& action = info(one.action);
-      const std::string second = shortcut_text(action.other);
+      const std::string second = shortcut_text(context.actions.keys().keys_of(one.action)[1]);
       const std::string keys = one.detail + (second.empty() ? "" : "  or  " + second);
       if (keys.empty()) continue;
       if (row(context, one.text + "##shortcut", icon_of(one), keys, false, std::string(action.tip).c_str())) done = one;
     }
     ImGui::EndChild();
     ImGui::TextDisabled("The pen's button or the middle mouse button turns the view; with Shift it moves it.");
+    if (wide_button(context, "Other keys##shortcuts", 0, false, "Choose which key does what")) {
+      dialogs.state<SearchEntry>() = {};
+      dialogs.show(Dialog{"keyboard"});
+    }
+    ImGui::SameLine();
     if (wide_button(context, "Close") || context.accepts) dialogs.show(Dialog::none);
     if (done) do_found(context, with, *done);
   }

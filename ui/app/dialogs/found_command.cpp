@@ -58,7 +58,7 @@ std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view t
   };
   for (const ActionInfo& one : all_actions()) {
     if (one.action == Action::search) continue;
-    add({Kind::action, std::string(one.label), shortcut_text(one.key), one.action}, one.tip);
+    add({Kind::action, std::string(one.label), in.keys.shortcut_of(one.action), one.action}, one.tip);
   }
   if (!words.empty()) {
     const document::Document& document = in.document;

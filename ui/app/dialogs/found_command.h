@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "ui/app/action.h"
+#include "ui/app/key_map.h"
 
 namespace penpose::app {
 
@@ -21,11 +21,12 @@ struct FoundCommand {
   double time_s = 0;  ///< of a pose
 };
 
-inline constexpr std::size_t k_most_found = 60;
+inline constexpr std::size_t k_most_found = 200;
 
 /// Where things are looked for, besides among actions.
 struct SearchedIn {
   const document::Document& document;
+  const KeyMap& keys;
   int rate = 24;  ///< frames a second
   std::span<const std::string> recent_files;
 };

@@ -9,9 +9,11 @@
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
 #include "ui/app/files/recording.h"
+#include "ui/app/files/system_dialogs.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -25,6 +27,7 @@ enum class Tab : std::uint8_t { view, pen, keys, time, folders };
 /// The tab that is shown.
 struct PreferencesShown {
   Tab tab = Tab::view;
+  std::string pose_folder;  ///< being typed
 };
 
 /// What is shown and changed here.
@@ -33,8 +36,10 @@ struct Owners {
   Playback& playback;
   Preferences& preferences;
   const Recording& recording;
+  const SystemDialogs& system;
   Dialogs& dialogs;
   PanelState& panels;
+  PoseShelf& shelf;
 };
 
 /// Equal buttons in a row, of which one is chosen; gives the one that was pressed, or -1.
@@ -91,7 +96,8 @@ void show_pen(PanelContext& context, const Owners& with) {
 }
 
 void show_keys(PanelContext& context, const Owners& with) {
-  leads_to(context, with, "All keys of the keyboard##preferences", Dialog::shortcuts, "All keys and what they do");
+  leads_to(context, with, "Keys of the keyboard##preferences", Dialog{"keyboard"},
+           "What each key does, and other keys");
   leads_to(context, with, "Keys and rings of the tablet##preferences", Dialog::pad,
            "What the keys and rings of the tablet and the pen's buttons do");
   leads_to(context, with, "Menu around the pen##preferences", Dialog::radial, "What it offers");
@@ -118,11 +124,45 @@ void show_time(PanelContext& context, const Owners& with) {
   with.preferences.changed();
 }
 
+/// Where the library of poses is.
+void show_pose_folder(PanelContext& context, const Owners& with) {
+  std::string& typed = with.dialogs.state<PreferencesShown>().pose_folder;
+  ImGui::TextWrapped("Library of poses: %s", with.shelf.folder().c_str());
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float use = button_width(context, "Use it", {}, true);
+  const float usual = button_width(context, "Usual", {}, true);
+  text_field(context, "##pose folder", typed, ImGui::GetContentRegionAvail().x - use - usual - 2 * spacing,
+             "another folder, from /");
+  const bool fits = std::filesystem::path(typed).is_absolute();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!fits);
+  if (wide_button(context, "Use it##pose folder", use, false, "Poses are kept there and read from there")) {
+    with.shelf.choose_folder(typed);
+    typed.clear();
+  }
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(with.shelf.folder() == with.shelf.usual_folder());
+  if (wide_button(context, "Usual##pose folder", usual, false, with.shelf.usual_folder().c_str()))
+    with.shelf.choose_folder({});
+  ImGui::EndDisabled();
+}
+
 void show_folders(PanelContext& context, const Owners& with) {
   const std::string session = with.recording.path();
+  if (with.system.available()) {
+    ImGui::TextUnformatted("Dialogs of files");
+    Settings& settings = with.preferences.settings();
+    const int to = one_of<2>(context, {"The system's##files", "penpose's own##files"}, settings.system_dialogs ? 0 : 1);
+    if (to >= 0) {
+      settings.system_dialogs = to == 0;
+      with.preferences.changed();
+    }
+  }
   ImGui::TextWrapped("Autosave: every stroke is written down as it is drawn. After a crash the next start goes on.");
   ImGui::TextWrapped("Session: %s", session.empty() ? "not recorded" : session.c_str());
   ImGui::TextWrapped("Settings: %s", standard_folders().config.c_str());
+  show_pose_folder(context, with);
   leads_to(context, with, "Sessions##preferences", Dialog::sessions, "What was drawn before, to play or to go on with");
   auto& recent = with.preferences.settings().recent;
   const std::string label = "Forget the list of recent files (" + std::to_string(recent.size()) + ")##recent";
@@ -137,9 +177,9 @@ void show_folders(PanelContext& context, const Owners& with) {
 }  // namespace
 
 void show_preferences_dialog(PanelContext& context, const EditingSession& editing, Playback& playback,
-                             Preferences& preferences, const Recording& recording, Dialogs& dialogs,
-                             PanelState& panels) {
-  const Owners with{editing, playback, preferences, recording, dialogs, panels};
+                             Preferences& preferences, const Recording& recording, const SystemDialogs& system,
+                             Dialogs& dialogs, PanelState& panels, PoseShelf& shelf) {
+  const Owners with{editing, playback, preferences, recording, system, dialogs, panels, shelf};
   Tab& tab = dialogs.state<PreferencesShown>().tab;
   if (begin_dialog(context, "Preferences", 16)) {
     const int to =

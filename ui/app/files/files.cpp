@@ -11,6 +11,7 @@
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
+#include "ui/files/sound/sound_file.h"
 #include "ui/files/trace_file.h"
 
 namespace penpose::app {
@@ -172,6 +173,14 @@ base::Status Files::play_trace(const std::string& path) {
   return base::Done{};
 }
 
+std::optional<document::SetSound> Files::renamed_sound(const std::string& path) const {
+  const auto& sound = parts_.editing.document().sound;
+  if (!sound || !io::keeps_everything(path)) return std::nullopt;
+  const std::string name = files::sound_named_from(sound->file, project_.empty() ? path_ : project_, path);
+  if (name == sound->file) return std::nullopt;
+  return document::SetSound{name, sound->content, sound->offset_s};
+}
+
 base::Status Files::save(const std::string& path) {
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
@@ -184,9 +193,14 @@ base::Status Files::save(const std::string& path) {
           "save under another name, or make room at " + fs::path(parts_.recording.path()).parent_path().string()};
     }
   }
-  auto saved = files::save_document(parts_.editing.document(), path, files::SaveNotes::quiet);
+  const auto sound = renamed_sound(path);
+  const auto with_sound =
+      sound ? parts_.editing.after(*sound) : base::Result<document::Document>(parts_.editing.document());
+  if (!with_sound) return with_sound.error();
+  auto saved = files::save_document(*with_sound, path, files::SaveNotes::quiet);
   if (!saved) return saved;
   if (io::keeps_everything(path)) {
+    if (sound) parts_.editing.perform_with(*sound);
     parts_.editing.mark_saved();
     set_project(full);
   }

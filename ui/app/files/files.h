@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "replay/session/session_player.h"
@@ -61,6 +62,8 @@ class Files {
   void resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file);
   base::Result<replay::ReplayResult> played_session(const std::string& path);
   void set_project(const std::string& path);
+  /// The sound as a project at that path names it; nothing: as now, or there is none.
+  [[nodiscard]] std::optional<document::SetSound> renamed_sound(const std::string& path) const;
 
   Parts parts_;
   std::string project_;

@@ -10,6 +10,7 @@
 
 #include "replay/trace/trace_reader.h"
 #include "ui/files/files.h"
+#include "ui/files/poses/pose_folder.h"
 #include "ui/files/session_model.h"
 #include "ui/files/trace_file.h"
 
@@ -78,7 +79,8 @@ void remove_quietly(const std::string& path) {
 }  // namespace
 
 Folders standard_folders() {
-  return {below_home("XDG_STATE_HOME", ".local/state"), below_home("XDG_CONFIG_HOME", ".config")};
+  return {below_home("XDG_STATE_HOME", ".local/state"), below_home("XDG_CONFIG_HOME", ".config"),
+          files::usual_pose_folder()};
 }
 
 SessionFile::SessionFile(std::string path, files::AppendFile file, const std::string& program)

@@ -14,10 +14,12 @@ namespace penpose::app {
 struct Folders {
   std::string state;   ///< sessions, the list of recent files
   std::string config;  ///< settings
+  std::string poses;   ///< the library of poses, where no other folder is chosen
 };
 
-/// Those of the XDG base directory specification: $XDG_STATE_HOME/penpose (~/.local/state/penpose) and
-/// $XDG_CONFIG_HOME/penpose (~/.config/penpose). Empty where there is neither a variable nor a home.
+/// Those of the XDG base directory specification: $XDG_STATE_HOME/penpose (~/.local/state/penpose),
+/// $XDG_CONFIG_HOME/penpose (~/.config/penpose) and files::usual_pose_folder. Empty where there is neither a variable
+/// nor a home.
 [[nodiscard]] Folders standard_folders();
 
 /// A session being written, with a lock beside it that says so and that goes with the program, however that ends.

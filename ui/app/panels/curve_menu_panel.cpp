@@ -87,11 +87,13 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
       controls.lent().lend(tool);
       done = true;
     }
-    if (reference && wide_button(context, "Keep##curve", -1, false, tooltip_of(Action::keep_curve).c_str())) {
+    if (reference &&
+        wide_button(context, "Keep##curve", -1, false, context.actions.keys().tooltip_of(Action::keep_curve).c_str())) {
       editing.perform(document::KeepCurve{id});
       done = true;
     }
-    if (wide_button(context, "Delete##curve", -1, false, tooltip_of(Action::delete_curve).c_str())) {
+    if (wide_button(context, "Delete##curve", -1, false,
+                    context.actions.keys().tooltip_of(Action::delete_curve).c_str())) {
       editing.perform(document::DeleteCurve{id});
       done = true;
     }

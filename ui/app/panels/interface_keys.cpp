@@ -56,8 +56,24 @@ bool Interface::field_pressed() const {
   });
 }
 
+bool Interface::asks_for_key(int scancode, const KeyStroke& stroke, bool down) {
+  auto& asked = dialogs_.state<KeyAsked>();
+  if (asked.held == scancode) {
+    // Its repetitions are swallowed, too.
+    if (!down) asked.held = -1;
+    return true;
+  }
+  if (down) asked.held = -1;
+  if (!asked.waits || !down || !dialogs_.any()) return false;
+  // Ctrl and Shift alone are no key yet.
+  if (stroke.key == 0) return true;
+  asked = {false, as_actions_name(stroke), scancode};
+  return true;
+}
+
 void Interface::text(const char* utf8) {
   disturb();
+  if (dialogs_.state<KeyAsked>().held >= 0) return;
   if (!wants_keys() && field_pressed()) {
     typed_.push_back({utf8});
     typed_.back().waits = true;
@@ -69,6 +85,7 @@ void Interface::text(const char* utf8) {
 void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
   disturb();
   panels_.has_keyboard = true;
+  if (asks_for_key(scancode, stroke, down)) return;
   Typed typed{{}, scancode, down, stroke.ctrl, stroke.shift};
   // Behind a dialog or a menu nothing is to happen.
   const bool owned = dialogs_.open() != Dialog::none || menu_open_ || wants_keys();

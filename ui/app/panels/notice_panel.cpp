@@ -19,6 +19,7 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   if (all.empty()) return;
   Area free = canvas.free_area();
   if (const auto& readings = context.own.of<ReadingsPlace>().area) free.bottom = readings->top;
+  if (const auto& film = context.own.of<FilmPlace>().area) free.top = film->bottom;
   // What a dialog has to tell is not to lie in its shade.
   const bool dialog = dialogs.open() != Dialog::none;
   ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();

@@ -13,6 +13,11 @@
 
 namespace penpose::app {
 
+/// Where the progress of a film is shown; nothing: none is written.
+struct FilmPlace {
+  std::optional<Area> area;
+};
+
 /// Which parameters are listed.
 struct ParameterList {
   std::string filter;

@@ -10,11 +10,11 @@ namespace penpose::app {
 void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&,
                   Dialogs&, PanelState&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
-void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, Dialogs&,
-                     PanelState&);
+void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
+                     Dialogs&, PanelState&, PoseShelf&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
-                   Notices&, Dialogs&, PanelState&, SoundTrack&);
+                   Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&);
 void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
@@ -22,7 +22,9 @@ void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
+void show_overlap(PanelContext&, const Area&, EditingSession&, Canvas&, OverlapOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&);
+void show_film(PanelContext&, const Area&, Canvas&, FilmWriter&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Preferences&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_tour_ghost(PanelContext&, const Area&, Canvas&, TourGuide&, Dialogs&);
@@ -62,7 +64,9 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_face_labels>},
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},
+    PanelRow{PanelPlace::canvas, show<show_overlap>},
     PanelRow{PanelPlace::canvas, show<show_readings>},
+    PanelRow{PanelPlace::canvas, show<show_film>},
     PanelRow{PanelPlace::canvas, show<show_notices>},
     PanelRow{PanelPlace::window, show<show_radial_menu>},
     PanelRow{PanelPlace::window, [](PanelContext& context, const Area&, App& app) { show_dialog(context, app); }},

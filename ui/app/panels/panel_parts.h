@@ -2,8 +2,10 @@
 
 #include "ui/app/controls/controls.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/poses/pose_shelf.h"
 #include "ui/app/session/suggestion_offer.h"
 
 // Parts of panels that stand in other panels.
@@ -18,8 +20,12 @@ void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canv
                     Notices& notices, Dialogs& dialogs, PanelState& panels);
 /// The corrections that there are, and what can be done with each.
 void show_corrections(PanelContext& context, EditingSession& editing, Controls& controls, PanelState& panels);
-/// Poses that are keyed, to be taken again.
-void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels);
+/// Poses that are keyed, and those of the library, to be taken again.
+void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels,
+                PoseShelf& shelf);
+/// The mouths that speech is drawn with.
+void show_mouths(PanelContext& context, EditingSession& editing, KeptMouths& kept, Dialogs& dialogs,
+                 PanelState& panels);
 /// Asks for the rest of the face; grey, and saying why, while there are too few keys.
 void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer);
 

@@ -18,6 +18,7 @@ struct PanelState {
   bool side_in_turn = false;      ///< where it is narrow: the side panel, else the tools
   bool controls_tab = false;      ///< of the side panel: sketched controls, else all parameters
   bool poses_tab = false;         ///< the poses that are keyed, in place of both
+  bool mouths_tab = false;        ///< the mouths that are kept, in place of all
   bool has_keyboard = false;      ///< a key was pressed on one
   std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
   std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
@@ -43,8 +44,17 @@ struct PanelState {
     shown = true;
     side_in_turn = true;
     poses_tab = !poses_tab;
-    controls_tab = false;
+    controls_tab = mouths_tab = false;
   }
+  /// The kept mouths likewise.
+  void show_mouths() {
+    shown = true;
+    side_in_turn = true;
+    mouths_tab = !mouths_tab;
+    controls_tab = poses_tab = false;
+  }
+  /// Something with pictures of poses is shown.
+  [[nodiscard]] bool pictured() const { return poses_tab || mouths_tab; }
 };
 
 }  // namespace penpose::app

@@ -18,6 +18,7 @@
 
 namespace penpose::app {
 
+class FilePictures;
 class PosePictures;
 
 /// What every panel and every dialog works with. What it shows besides, it takes by name.
@@ -30,6 +31,7 @@ struct PanelContext {
   geometry::Viewport window;
   std::map<std::string, Area, std::less<>>& targets;
   PosePictures& pictures;
+  FilePictures& file_pictures;
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
   std::optional<Area> typed_into = {};        ///< the text field that has the keyboard

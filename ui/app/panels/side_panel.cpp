@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -186,23 +187,36 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
 }
 
 void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
-                     Controls& controls, Playback& playback, Notices& notices, Dialogs& dialogs, PanelState& panels) {
+                     Controls& controls, Playback& playback, Notices& notices, KeptMouths& mouths, Dialogs& dialogs,
+                     PanelState& panels, PoseShelf& shelf) {
   if (begin_panel(context, "side", area)) {
-    if (panels.controls_tab) panels.poses_tab = false;
-    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-    const auto tab = [&](const char* label, bool of_controls, bool of_poses, const char* tip) {
-      const bool chosen = panels.controls_tab == of_controls && panels.poses_tab == of_poses;
-      if (!wide_button(context, label, third, chosen, tip)) return;
-      panels.controls_tab = of_controls;
-      panels.poses_tab = of_poses;
+    if (panels.controls_tab) panels.poses_tab = panels.mouths_tab = false;
+    const bool parameters = !panels.controls_tab && !panels.pictured();
+    struct Tab {
+      const char* label;
+      bool chosen;
+      const char* tip;
+      bool PanelState::*part;
     };
-    tab("Parameters", false, false, "Everything that moves the model, as sliders");
-    ImGui::SameLine();
-    tab("Controls", true, false, "Controls that were sketched, and new ones");
-    ImGui::SameLine();
-    tab("Poses", false, true, "Poses that are keyed, to be taken again");
-    if (panels.poses_tab) {
-      show_poses(context, editing, playback, panels);
+    const std::array<Tab, 4> tabs{
+        {{"Parameters", parameters, "Everything that moves the model, as sliders", nullptr},
+         {"Controls", panels.controls_tab, "Controls that were sketched, and new ones", &PanelState::controls_tab},
+         {"Poses", panels.poses_tab, "Poses that are keyed, and the library", &PanelState::poses_tab},
+         {"Mouths", panels.mouths_tab, "The mouths that speech is drawn with", &PanelState::mouths_tab}}};
+    // As wide as their words want.
+    float words = 0;
+    for (const Tab& tab : tabs) words += ImGui::CalcTextSize(tab.label).x;
+    const float pad = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x - words) / 4;
+    for (const Tab& tab : tabs) {
+      if (tab.part != nullptr) ImGui::SameLine();
+      if (!wide_button(context, tab.label, ImGui::CalcTextSize(tab.label).x + pad, tab.chosen, tab.tip)) continue;
+      panels.controls_tab = panels.poses_tab = panels.mouths_tab = false;
+      if (tab.part != nullptr) panels.*tab.part = true;
+    }
+    if (panels.mouths_tab) {
+      show_mouths(context, editing, mouths, dialogs, panels);
+    } else if (panels.poses_tab) {
+      show_poses(context, editing, playback, panels, shelf);
     } else if (panels.controls_tab) {
       show_deformers(context, editing, canvas, controls, notices, dialogs, panels);
     } else {

@@ -46,7 +46,7 @@ void show_suggest_button(PanelContext& context, EditingSession& editing, Suggest
     return;
   }
   const std::string label(info(Action::suggest_rest).label);
-  const std::string tip = tooltip_of(Action::suggest_rest) + ". Not yet: " + why_not;
+  const std::string tip = context.actions.keys().tooltip_of(Action::suggest_rest) + ". Not yet: " + why_not;
   ImGui::BeginDisabled(true);
   wide_button(context, label.c_str(), -1);
   ImGui::EndDisabled();

@@ -7,12 +7,12 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
+#include "ui/app/mouths/first_pass.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
-#include "ui/app/playback/clip_names.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
@@ -234,7 +234,7 @@ void beside_strip(PanelContext& context, const TimelineOwners& with, Show show) 
 
 /// The clip that is shown, or how many animations of the file wait to be opened; empty: there is one timeline only.
 std::string clip_label(const document::Document& document) {
-  if (!document.clips.empty()) return fitted_text(shown_clip_name(document), 5 * ImGui::GetFontSize());
+  if (!document.clips.empty()) return fitted_text(document::shown_clip_name(document), 5 * ImGui::GetFontSize());
   const std::size_t animations = document.model->animations.size();
   if (animations == 0) return {};
   return std::to_string(animations) + (animations == 1 ? " animation" : " animations");
@@ -251,7 +251,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(Action::previous_key, false, true, false);
   row.add(Action::previous_frame, false, true, false);
   ButtonRow::Button play{with.playback.playing() ? "Stop" : "Play",
-                         with.playback.playing() ? icon::k_stop : icon_of(Action::play), tooltip_of(Action::play)};
+                         with.playback.playing() ? icon::k_stop : icon_of(Action::play),
+                         context.actions.keys().tooltip_of(Action::play)};
   play.chosen = with.playback.playing();
   play.does = [&] { context.actions.run(Action::play); };
   row.add(std::move(play));
@@ -266,7 +267,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   rate.width = 2.1F * context.unit;
   row.add(std::move(rate));
   if (const std::string clip = clip_label(with.editing.document()); !clip.empty()) {
-    ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}), tooltip_of(Action{"clips"})};
+    ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}),
+                            context.actions.keys().tooltip_of(Action{"clips"})};
     clips.does = [&] { context.actions.run(Action{"clips"}); };
     row.add(std::move(clips));
   }
@@ -287,6 +289,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(std::move(kind));
   row.add(Action::dope_sheet, with.shown().part == TimelinePart::sheet, true, false);
   row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
+  row.add(Action{"overlap"}, with.overlap.open(), true, false);
   row.add(Action::onion_skin, with.look.onion_skin);
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
@@ -318,8 +321,9 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound) {
-  const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, FirstPass& pass, OverlapOffer& overlap,
+                   GhostHand& ghosts) {
+  const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
     // A small window has no room for more.
@@ -329,10 +333,12 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
           with.shown().all_rows = !with.shown().all_rows;
       });
       show_ruler(context, with);
+      show_ghost_reach(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
-      show_sound_strip(context, sound, playback, shown_moments(with).from, shown_moments(with).span);
+      const SpokenSound said{pass.words(), editing.document().spoken.get()};
+      show_sound_strip(context, sound, said, playback, shown_moments(with).from, shown_moments(with).span);
       const float left = ImGui::GetContentRegionAvail().y;
       if (left > context.unit && with.shown().part == TimelinePart::sheet) show_dope_sheet(context, with, left);
       if (left > context.unit && with.shown().part == TimelinePart::curves) show_curve_editor(context, with, left);

@@ -52,7 +52,7 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
       const std::string label = action == Action::theme
                                     ? with.preferences.settings().light ? "Dark colours" : "Light colours"
                                     : std::string(info(action).label);
-      const std::string key = shortcut_text(info(action).key);
+      const std::string key = context.actions.keys().shortcut_of(action);
       if (!menu_entry(context, label.c_str(), icon_of(action), key, std::string(info(action).tip).c_str())) continue;
       ImGui::CloseCurrentPopup();
       context.actions.run(action);
@@ -61,14 +61,14 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
   // Two columns, so that it ends above the window's foot.
   ImGui::BeginGroup();
   actions({Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film,
-           Action::backdrop, Action{"sound"}});
+           Action{"playblast"}, Action::backdrop, Action{"sound"}});
   if (context.actions.usable(Action::up_axis)) actions({Action::up_axis, Action::left_handed});
   if (entry("Sessions", icon::k_session, "What was drawn before, to play or to go on with")) {
     with.dialogs.show(Dialog::sessions);
   }
   rule(context);
-  actions({Action::set_front, Action::history, Action::library, Action::flip_pose, Action::copy_to_right,
-           Action::copy_to_left, Action::neutral});
+  actions({Action::set_front, Action::history, Action::library, Action{"mouths"}, Action::flip_pose,
+           Action::copy_to_right, Action::copy_to_left, Action::neutral});
   ImGui::EndGroup();
   ImGui::SameLine();
   ImGui::BeginGroup();

@@ -20,6 +20,7 @@ Playback::Playback(Clock clock, EditingSession& editing, Notices& notices, Prefe
 
 void Playback::begin() {
   playing_ = scrubs_ = false;
+  carries_ = true;
   time_s_ = editing_.document().time_s;
   std::vector<double> moments;
   for (const auto& key : editing_.document().timeline->keys) moments.push_back(key.time_s);
@@ -129,7 +130,7 @@ void Playback::end_scrub() {
                       [](double a, double b) { return std::abs(a - b) < k_same_value; });
   };
   const auto& keys = document.timeline->keys;
-  const bool kept = same(document::pose_at(document, document.time_s)) ||
+  const bool kept = !carries_ || same(document::pose_at(document, document.time_s)) ||
                     std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return same(key.pose); });
   if (kept) {
     editing_.perform(document::GoToTime{time_s_});

@@ -52,6 +52,10 @@ class Playback {
   [[nodiscard]] std::optional<double> shown_moment() const;
 
   void scrub(double time_s);
+  [[nodiscard]] bool scrubs() const { return scrubs_; }
+  /// Whether a pose that is on no key is carried along when one goes elsewhere in time, which is the usual; else it is
+  /// left behind.
+  void carry_poses(bool on) { carries_ = on; }
   void end_scrub();
   /// Goes to the frame nearest to a moment, or to the key that is there, as scrubbing and letting go does.
   void go_to(double time_s);
@@ -82,6 +86,7 @@ class Playback {
   WhileDrawing while_drawing_;
   bool playing_ = false;
   bool scrubs_ = false;  ///< the timeline's pose is shown, and not taken yet
+  bool carries_ = true;
   double sound_end_s_ = 0;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;

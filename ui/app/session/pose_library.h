@@ -7,11 +7,12 @@
 
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
+#include "core/poses/face_part.h"
 
 namespace penpose::app {
 
 /// Which part of a face a control is of.
-enum class FacePart : std::uint8_t { all, brows, eyes, mouth };
+using poses::FacePart;
 
 /// Told by its name, as rigs call them in English; `all` where the name says nothing.
 [[nodiscard]] FacePart part_of(std::string_view control);

@@ -23,14 +23,37 @@ void draw_wave(const SoundTrack& track, ImVec2 from, ImVec2 size, float inset, d
   }
 }
 
+/// Words, or the mouths that speak where none are known, each where it begins, as far as they do not cover each other.
+void draw_said(const SoundTrack& track, const SpokenSound& said, ImVec2 from, ImVec2 size, float inset, double from_s,
+               double span_s) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = from.y + 0.5F * (size.y - ImGui::GetTextLineHeight());
+  float free = from.x;
+  const auto draw = [&](double time_s, std::string_view text) {
+    const float x = from.x + inset + static_cast<float>((time_s - from_s) / span_s) * (size.x - 2 * inset);
+    if (x < free || x > from.x + size.x) return;
+    const ImVec2 room = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    list.AddRectFilled({x - 1, y}, {x + room.x + 1, y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.7F), 3);
+    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), text.data(), text.data() + text.size());
+    free = x + room.x + 4;
+  };
+  for (const speech::HeardWord& one : said.words) draw(one.from_s + track.offset_s(), one.word);
+  if (!said.words.empty() || said.mouths == nullptr) return;
+  const std::string* last = nullptr;
+  for (const document::SpokenMouth& one : *said.mouths) {
+    if (last == nullptr || *last != one.mouth) draw(one.time_s, one.mouth);
+    last = &one.mouth;
+  }
+}
+
 }  // namespace
 
 double sound_strip_height(const PanelContext& context, const SoundTrack& track) {
   return track.sound() == nullptr ? 0 : static_cast<double>(context.unit + context.gap);
 }
 
-void show_sound_strip(PanelContext& context, SoundTrack& track, const Playback& playback, double from_s,
-                      double span_s) {
+void show_sound_strip(PanelContext& context, SoundTrack& track, const SpokenSound& said, const Playback& playback,
+                      double from_s, double span_s) {
   if (track.sound() == nullptr) return;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(context.unit, ImGui::GetContentRegionAvail().x), context.unit};
@@ -61,6 +84,7 @@ void show_sound_strip(PanelContext& context, SoundTrack& track, const Playback& 
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   list.PushClipRect(from, to, true);
   draw_wave(track, from, size, inset, from_s, span_s);
+  draw_said(track, said, from, size, inset, from_s, span_s);
   const float cursor =
       from.x + inset + static_cast<float>((playback.time_s() - from_s) / span_s) * (size.x - 2 * inset);
   list.AddLine({cursor, from.y}, {cursor, to.y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);

@@ -1,13 +1,25 @@
 #pragma once
 
+#include <span>
+
+#include "core/document/sound/mouths.h"
+#include "core/speech/phones.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/sound/sound_track.h"
 
 namespace penpose::app {
 
+/// What is said in the sound.
+struct SpokenSound {
+  std::span<const speech::HeardWord> words;        ///< seconds of the sound
+  const document::SpokenMouths* mouths = nullptr;  ///< shown where no words are known; null: none
+};
+
 /// The sound as a strip of the timeline that shows `span_s` seconds from `from_s` on: dragged sideways it begins at
-/// another moment; a button at its end mutes it. Nothing where there is no sound.
-void show_sound_strip(PanelContext& context, SoundTrack& track, const Playback& playback, double from_s, double span_s);
+/// another moment; a button at its end mutes it. What is said stands on it where there is room. Nothing where there is
+/// no sound.
+void show_sound_strip(PanelContext& context, SoundTrack& track, const SpokenSound& said, const Playback& playback,
+                      double from_s, double span_s);
 
 /// How high the strip is, px; 0 where there is no sound.
 [[nodiscard]] double sound_strip_height(const PanelContext& context, const SoundTrack& track);

@@ -62,8 +62,7 @@ void SoundTrack::take_document() {
   const auto& now = editing_.document().sound;
   if (now == known_) return;
   // Of a document that was just opened nobody knows yet whether the file is as it was.
-  const bool same =
-      editing_.steps().can_undo() > 0 && now && known_ && now->file == known_->file && now->content == known_->content;
+  const bool same = editing_.steps().can_undo() > 0 && now && known_ && now->content == known_->content;
   known_ = now;
   if (same) return;
   sound_.reset();

@@ -36,6 +36,8 @@ class SoundTrack {
   void mute(bool muted) { muted_ = muted; }
   /// Null: there is none, or it cannot be opened.
   [[nodiscard]] const sound::Sound* sound() const { return sound_.get(); }
+  /// The same, for whoever goes on with it when it is another one.
+  [[nodiscard]] std::shared_ptr<const sound::Sound> shared_sound() const { return sound_; }
   [[nodiscard]] const sound::Peaks& peaks() const { return peaks_; }
   /// The moment of the timeline at which it begins, also while it is dragged.
   [[nodiscard]] double offset_s() const;

@@ -78,9 +78,10 @@ struct WindowTool {
   ToolPreview preview = ToolPreview::pose;
   /// The look of its line; null: that of what the line means.
   render::CurveKind (*line)(const ToolSight& sight) = nullptr;
-  bool shows_arcs = false;  ///< the paths of features over time
-  bool erases = false;      ///< its line is broad and pale
-  bool selects = false;     ///< curves, targets and controls can be taken in hand
+  bool shows_arcs = false;    ///< the paths of features over time
+  bool shows_ghosts = false;  ///< lines at the neighbouring keys, which are drawn on
+  bool erases = false;        ///< its line is broad and pale
+  bool selects = false;       ///< curves, targets and controls can be taken in hand
 
   /// The tool is taken in hand.
   void (*taken)(ToolHand& hand) = nullptr;

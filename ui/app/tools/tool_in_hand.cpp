@@ -47,6 +47,7 @@ void ToolInHand::release() {
   const auto line = std::exchange(line_, {});
   const WindowTool& tool = now();
   if (tool.means == nullptr || line.empty()) return;
+  if (tool.shows_ghosts) return parts_.ghosts.draw(line);
   const document::Document& document = parts_.editing.document();
   const document::View& view = parts_.editing.editor().view();
   std::vector<double> shares;

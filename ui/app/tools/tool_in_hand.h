@@ -6,6 +6,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/playback/arcs.h"
+#include "ui/app/playback/ghosts.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/tools/tool.h"
 
@@ -22,6 +23,7 @@ class ToolInHand {
     const Performer& performer;
     const Canvas& canvas;
     ArcsInSight& arcs;
+    GhostHand& ghosts;
   };
   explicit ToolInHand(const Parts& parts) : parts_(parts) {}
 

@@ -4,6 +4,7 @@
 
 #include "core/articulation/edit.h"
 #include "ui/app/view/backdrop.h"
+#include "ui/film/film_frames.h"
 
 namespace penpose::app {
 namespace {
@@ -102,8 +103,7 @@ DrawFrame FrameMaker::make() {
   update_surface();
   update_overlay();
   last_.background = {};
-  if (parts_.preferences.settings().light)
-    last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
+  if (parts_.preferences.settings().light) last_.background = film::light_background();
   last_.wireframe = parts_.look.wireframe;
   last_.clay = parts_.look.clay;
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};

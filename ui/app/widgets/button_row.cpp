@@ -11,7 +11,7 @@ void ButtonRow::add(Action action, bool chosen, bool enabled, bool text) {
   Button button;
   button.label = std::string(info(action).label);
   button.icon = icon_of(action);
-  button.tip = tooltip_of(action);
+  button.tip = context_.actions.keys().tooltip_of(action);
   button.text = text || button.icon.empty();
   button.chosen = chosen;
   button.enabled = enabled && context_.actions.usable(action);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/text/letters.h"
 #include "ui/render/framing.h"
 
 namespace penpose::app {
@@ -51,6 +54,21 @@ Box box_of(const std::vector<ModelPoint>& points) {
   return box;
 }
 
+/// Controls of the lips move little else, whereas the jaw's take the cheeks and the throat along.
+bool is_of_lips(std::string_view name) {
+  const std::string text = base::lower_case(name);
+  return text.find("mouth") != std::string::npos || text.find("lip") != std::string::npos;
+}
+
+/// With room below for an opened mouth.
+PictureFrame around_lips(const Box& box) {
+  PictureFrame frame = around(box, 0.15);
+  frame.middle.y -= 0.15 * frame.side;
+  return frame;
+}
+
+PictureFrame smaller(const PictureFrame& a, const PictureFrame& b) { return a.side < b.side ? a : b; }
+
 /// Of a model whose names say nothing of a face.
 PictureFrame usual_frame(const document::Model& model, const std::vector<ModelPoint>& rest) {
   std::vector<ModelPoint> face;
@@ -67,6 +85,7 @@ PictureFrames picture_frames(const document::Model& model) {
   const auto rest = posed(rig, rig::rest_pose(rig));
   std::array<Box, 4> parts;
   const auto at = [](FacePart part) { return static_cast<std::size_t>(part); };
+  Box lips;
   const double whole = box_of(rest).diagonal();
   const auto parameters = rig.parameters();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -76,6 +95,7 @@ PictureFrames picture_frames(const document::Model& model) {
     // What moves half of the model is no part of a face, whatever it is called.
     if (box.empty() || box.diagonal() > 0.5 * whole) continue;
     for (const ModelPoint& corner : {box.minimum, box.maximum}) {
+      if (part == FacePart::mouth && is_of_lips(parameters[i].name)) lips.add(corner);
       parts[at(part)].add(corner);
       parts[at(FacePart::all)].add(corner);
     }
@@ -87,6 +107,7 @@ PictureFrames picture_frames(const document::Model& model) {
     const Box& box = parts[at(part)];
     frames[at(part)] = box.empty() ? frames[at(FacePart::all)] : around(box, k_around_part);
   }
+  if (!lips.empty()) frames[at(FacePart::mouth)] = smaller(frames[at(FacePart::mouth)], around_lips(lips));
   return frames;
 }
 

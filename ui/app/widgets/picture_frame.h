@@ -14,8 +14,9 @@ struct PictureFrame {
   double side = 1;
 };
 
-/// What pictures of a model's poses show, by FacePart: of a part what its controls move, found as `part_of` does; of
-/// all the whole face. Where names say nothing it is what most shapes move (render::face_vertices), else the model.
+/// What pictures of a model's poses show, by FacePart: of a part what its controls move, found as `part_of` does (of
+/// the mouth nearer, what those of the lips do); of all the whole face. Where names say nothing it is what most shapes
+/// move (render::face_vertices), else the model.
 using PictureFrames = std::array<PictureFrame, 4>;
 [[nodiscard]] PictureFrames picture_frames(const document::Model& model);
 

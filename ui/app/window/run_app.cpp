@@ -64,6 +64,8 @@ base::Status run_app(const files::WindowRequest& request) {
   options.panel = {request.rotate, turned_input(request.rotate_input)};
   App app(options);
   app.of<SoundTrack>().set_output(make_sdl_sound());
+  app.of<SystemDialogs>().set_portal(portal::make_file_portal([&] { (*window)->wake(); }),
+                                     [&] { return (*window)->handle(); });
   const std::string file = request.model.empty() ? "builtin:demo" : request.model;
   const std::string model = files::ModelName{file, request.orientation}.text();
   if (const auto opened = app.of<Files>().open(model); !opened) return in_file(opened.error(), model);

@@ -13,6 +13,7 @@
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/screen.h"
 #include "ui/app/window/stop_watch.h"
+#include "ui/app/window/window_handle.h"
 #include "ui/files/process/kept_memory.h"
 
 namespace penpose::app {
@@ -47,10 +48,16 @@ std::uint32_t key_of(SDL_Keycode key) {
       return k_key_up;
     case SDLK_DOWN:
       return k_key_down;
-    case SDLK_F1:
-      return k_key_f1;
-    case SDLK_F11:
-      return k_key_f11;
+    case SDLK_END:
+      return k_key_end;
+    case SDLK_PAGEUP:
+      return k_key_page_up;
+    case SDLK_PAGEDOWN:
+      return k_key_page_down;
+    case SDLK_INSERT:
+      return k_key_insert;
+    case SDLK_KP_ENTER:
+      return k_key_return;
     case SDLK_KP_PLUS:
       return '+';
     case SDLK_KP_MINUS:
@@ -61,7 +68,16 @@ std::uint32_t key_of(SDL_Keycode key) {
       break;
   }
   if (key >= SDLK_KP_1 && key <= SDLK_KP_9) return static_cast<std::uint32_t>('1' + (key - SDLK_KP_1));
-  return key > 0 && key < 128 ? static_cast<std::uint32_t>(key) : 0;
+  if (key >= SDLK_F1 && key <= SDLK_F12) return k_key_f1 + static_cast<std::uint32_t>(key - SDLK_F1);
+  if (key >= SDLK_F13 && key <= SDLK_F24) return k_key_f1 + 12 + static_cast<std::uint32_t>(key - SDLK_F13);
+  // Keys that are no character lie above all of them.
+  return key > 0 && key < 0x110000 ? static_cast<std::uint32_t>(key) : 0;
+}
+
+/// What was copied, in this program or another.
+std::string copied_text() {
+  const std::unique_ptr<char, decltype(&SDL_free)> text(SDL_GetClipboardText(), SDL_free);
+  return text ? text.get() : std::string();
 }
 
 }  // namespace
@@ -243,6 +259,8 @@ base::Result<std::unique_ptr<Window>> Window::open(const files::WindowRequest& r
   return std::unique_ptr<Window>(new Window(std::move(state)));
 }
 
+std::string Window::handle() const { return window_handle(state_->window); }
+
 void Window::wake() const {
   SDL_Event event{};
   event.type = state_->wake_event;
@@ -269,6 +287,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   const Player& player = app.of<Player>();
   Leaving& leaving = app.of<Leaving>();
   FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
+  interface.share_clipboard({copied_text, [](const char* text) { SDL_SetClipboardText(text); }});
   SDL_StartTextInput();
   unsigned looks = 0;  // at the system's devices
   std::optional<FullScreen> full_screen(state_->window);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/base/result.h"
 #include "ui/app/app.h"
@@ -25,6 +26,8 @@ class Window {
   /// Stays until the app wants to quit, or a played trace has ended where `until_played`. Tells `live` of every frame.
   base::Status run(App& app, Interface& interface, Tablets& tablets, Timings& timings, const live::Listener& live,
                    bool until_played);
+  /// What the system's dialogs stand before (window_handle.h).
+  [[nodiscard]] std::string handle() const;
   /// Makes `run` look for reports; from any thread.
   void wake() const;
 

@@ -15,11 +15,10 @@
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/picture_lines/svg/write_svg_lines.h"
-#include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
 #include "core/tracking/line_drawing.h"
 #include "ui/cli/draw_option.h"
-#include "ui/cli/model/frame_name.h"
+#include "ui/cli/model/picture_options.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/orientation_option.h"
 #include "ui/cli/progress.h"
@@ -28,15 +27,13 @@
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
 #include "ui/files/process/kept_memory.h"
+#include "ui/film/frame_name.h"
 #include "ui/render/appearance.h"
-#include "ui/render/framing.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
 
-constexpr int k_largest_side_px = 8192;
-constexpr int k_most_px = 4096 * 4096;
 constexpr double k_most_frames = 1e6;
 
 struct Options {
@@ -47,9 +44,7 @@ struct Options {
   std::string animation;
   bool frames = false;
   double fps = 24;
-  std::string size = "1024x1024";
-  std::string camera;
-  std::string view = "three-quarter";
+  PictureOptions picture;
   std::string output;
   bool wireframe = false;
   bool plain = false;
@@ -60,21 +55,6 @@ struct Options {
   std::string case_name;
   std::string draw;
 };
-
-std::optional<geometry::Viewport> parse_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return std::nullopt;
-  const auto width = base::parse_int(std::string_view(text).substr(0, cross));
-  const auto height = base::parse_int(std::string_view(text).substr(cross + 1));
-  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
-  if (*width > k_largest_side_px || *height > k_largest_side_px || *width * *height > k_most_px) return std::nullopt;
-  return geometry::Viewport{static_cast<int>(*width), static_cast<int>(*height)};
-}
-
-std::string check_size(const std::string& text) {
-  if (parse_size(text)) return {};
-  return "write WIDTHxHEIGHT in px, at most 8192 a side and 4096x4096 in all, not \"" + text + "\"";
-}
 
 std::vector<render::CurveDrawing> named_curves(const document::Model& model,
                                                std::span<const geometry::ModelPoint> positions) {
@@ -120,32 +100,6 @@ base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& optio
     drawing.points = reference.target;
   }
   return drawings;
-}
-
-/// Where the camera stands: the file's, or one that shows the whole model at rest, so that poses of one model can be
-/// compared picture by picture.
-base::Result<geometry::Camera> make_camera(const Options& options, const document::Model& model) {
-  const geometry::Viewport viewport = *parse_size(options.size);
-  if (options.camera.empty()) {
-    document::Model rest = model;
-    if (!options.time_s) rest.pose = rig::rest_pose(*model.rig);
-    std::vector<glm::vec3> points = render::posed_mesh(rest).positions;
-    const bool face = options.view == "face";
-    render::Viewpoint from = *render::find_viewpoint(face ? "front" : options.view);
-    from.yaw_degrees += model.front_yaw_degrees;
-    const auto of_face = face ? render::face_vertices(model) : std::vector<std::uint32_t>();
-    if (!of_face.empty()) {
-      std::vector<glm::vec3> seen;
-      for (const std::uint32_t v : of_face) seen.push_back(points[v]);
-      points = std::move(seen);
-    }
-    return render::frame_points(points, viewport, from);
-  }
-  const auto bytes = files::read_file(options.camera, files::k_most_text_bytes);
-  if (!bytes) return bytes.error();
-  const auto pose = io::read_camera(*bytes);
-  if (!pose) return pose.error();
-  return geometry::Camera::make(*pose, viewport);
 }
 
 /// Says what cannot be drawn: what the file's reader knows, and what came out when it was drawn.
@@ -236,7 +190,7 @@ base::Status make_folder_of(const std::string& output) {
 
 int run_render(const Options& options) {
   files::FileRoles files(options.frames ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
-  for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
+  for (const std::string& input : {options.model, options.picture.camera, options.cases}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
   if (options.lines && options.output != "-" && !base::lower_case(options.output).ends_with(".svg")) {
     return files::report({"lines are written as SVG", "-o", "name a .svg file"}, options.output);
@@ -265,8 +219,8 @@ int run_render(const Options& options) {
   const bool begins = options.frames || (!options.animation.empty() && !options.time_s);
   const auto first = moment_of(options, *model, begins ? std::optional(0.0) : options.time_s);
   if (!first) return files::report(first.error(), options.model);
-  const auto camera = make_camera(options, *first);
-  if (!camera) return files::report(camera.error(), options.camera);
+  const auto camera = make_camera(options.picture, *first, options.time_s.has_value());
+  if (!camera) return files::report(camera.error(), options.picture.camera);
   if (options.lines) return draw_lines(options, *first, *camera);
   render::AppearanceOptions look;
   look.recognise = !options.plain;
@@ -287,7 +241,7 @@ int run_render(const Options& options) {
   for (std::size_t f = 0; f < count; ++f) {
     const auto moment = moment_of(options, *model, static_cast<double>(f) / options.fps);
     if (!moment) return files::report(moment.error(), options.model);
-    const std::string picture = frame_name(options.output, f + 1);
+    const std::string picture = film::frame_name(options.output, f + 1);
     if (files.is_read(picture)) return files::report({"is read by this command", "-o", "choose another name"}, picture);
     const int status = draw(options, *moment, **renderer, appearance, *camera, picture);
     if (status != k_success) return status;
@@ -316,15 +270,7 @@ void add_options(CLI::App& command, Options& options) {
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
   add_orientation_options(command, options.orientation);
-  command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture in px")
-      ->check(CLI::Validator(check_size, "WxH"))
-      ->capture_default_str();
-  auto* camera =
-      command.add_option("--camera", options.camera, R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
-  command.add_option("--view", options.view, "where to look from")
-      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top", "face"}))
-      ->capture_default_str()
-      ->excludes(camera);
+  add_picture_options(command, options.picture);
   add_draw_option(command, options.draw);
   auto* wireframe = command.add_flag("--wireframe", options.wireframe, "draw the edges too");
   auto* clay = command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");

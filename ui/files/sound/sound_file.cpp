@@ -37,6 +37,12 @@ base::Result<LoadedSound> load_sound(const std::string& path, const std::string&
   return LoadedSound{std::move(sound).value(), {named_from(path, project), base::hash_bytes(*bytes), 0}, false};
 }
 
+std::string sound_named_from(const std::string& file, const std::string& before, const std::string& project) {
+  const bool whole = fs::path(file).is_absolute();
+  if (!whole && before.empty()) return file;
+  return named_from(whole ? file : (folder_of(before) / file).string(), project);
+}
+
 base::Result<LoadedSound> load_sound_of(const document::SoundReference& reference, const std::string& project) {
   const bool whole = fs::path(reference.file).is_absolute();
   if (!whole && project.empty()) return base::Error{"where the sound lies is not known", "", "open it again"};

@@ -26,4 +26,9 @@ struct LoadedSound {
 [[nodiscard]] base::Result<LoadedSound> load_sound_of(const document::SoundReference& reference,
                                                       const std::string& project);
 
+/// How a project that is saved at `project` names a sound, of which the document of `before` (a path; empty: none)
+/// knows as `file`: relative where it lies beside or below it, else by its whole path.
+[[nodiscard]] std::string sound_named_from(const std::string& file, const std::string& before,
+                                           const std::string& project);
+
 }  // namespace penpose::files

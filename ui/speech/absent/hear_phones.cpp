@@ -2,11 +2,14 @@
 
 namespace penpose::speech {
 
-bool hears_speech() { return false; }
-
-base::Result<std::vector<Phone>> hear_phones(const sound::Sound&, const std::string&, const std::string&) {
+base::Status can_hear(const std::string&) {
   return base::Error{"this program was built without speech", "",
                      "build it with PocketSphinx and PENPOSE_SPEECH=ON, or give cues of Rhubarb or Papagayo"};
+}
+
+base::Result<std::vector<Phone>> hear_phones(const sound::Sound&, const std::string&, const std::string& model,
+                                             Listening*) {
+  return can_hear(model).error();
 }
 
 }  // namespace penpose::speech

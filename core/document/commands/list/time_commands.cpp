@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/document/commands/apply_parts.h"
+#include "core/document/sound/moved_mouths.h"
 #include "core/document/time/timeline_editing.h"
 
 namespace penpose::document {
@@ -141,9 +142,9 @@ Changed run(const Document& document, const MoveKeys& command, Parts&) {
     if (auto error = check_time(moved(before.keys[one.place].time_s), "by_s")) return *error;
   }
   TimelineEditing keys = edit(document);
-  std::map<std::size_t, std::size_t> taken;  // how many of a moment
+  std::map<std::size_t, std::vector<std::size_t>> taken;  // by moments
   for (const KeyPlace& one : *places) {
-    ++taken[one.place];
+    taken[one.place].push_back(one.parameter);
     if (!command.copies) keys.erase(before.keys[one.place].time_s, one.parameter);
   }
   for (const KeyPlace& one : *places) {
@@ -153,13 +154,17 @@ Changed run(const Document& document, const MoveKeys& command, Parts&) {
     control.out /= command.scale;
     keys.set(moved(key.time_s), one.parameter, key.pose[one.parameter], control);
   }
-  for (const auto& [place, count] : taken) {
+  std::vector<KeysMoved> went;
+  for (const auto& [place, controls] : taken) {
     const PoseKey& key = before.keys[place];
     std::size_t all = 0;
     for (std::size_t p = 0; p < document.pose.size(); ++p) all += key.controls.has(p) ? 1 : 0;
-    if (count == all && !key.name.empty()) keys.name(moved(key.time_s), key.name);
+    if (controls.size() == all && !key.name.empty()) keys.name(moved(key.time_s), key.name);
+    went.push_back({place, controls, moved(key.time_s)});
   }
-  return with_timeline(document, std::move(keys).finish());
+  Document changed = with_timeline(document, std::move(keys).finish());
+  changed.spoken = with_moved_keys(document, went, command.copies);
+  return changed;
 }
 
 Changed run(const Document& document, const SetKeyKind& command, Parts&) {

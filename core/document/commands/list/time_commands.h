@@ -52,8 +52,8 @@ struct DeleteKeys : OfKeys {
 Changed run(const Document&, const DeleteKeys&, ApplyParts&);
 
 /// Moves keys in time: a moment becomes about_s + (moment - about_s) * scale + by_s. Keys of these controls where they
-/// arrive are replaced. Names of moments whose keys are all moved go along. Errors: a moment off the timeline, a scale
-/// that is not above 0.
+/// arrive are replaced. Names of moments whose keys are all moved go along, and so do spoken mouths (with_moved_keys).
+/// Errors: a moment off the timeline, a scale that is not above 0.
 struct MoveKeys : OfKeys {
   static constexpr Called k_called{"move_keys", "Move keys"};
   double by_s = 0;

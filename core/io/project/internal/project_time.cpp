@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/document/commands/text_form.h"
-#include "core/document/time/clip.h"
+#include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline_editing.h"
 #include "core/io/project/internal/project_sound.h"
 

@@ -179,6 +179,40 @@ TEST_F(SoundTrackOfDesk, ASoundThatIsGoneOrAnotherIsToldAndStaysInTheDocument) {
   EXPECT_TRUE(notice("talk.wav"));
 }
 
+TEST_F(SoundTrackOfDesk, ASoundThatWasOpenedBeforeTheFirstSaveIsNamedFromTheProject) {
+  track().open(path("talk.wav"));
+  desk_.frames();
+  ASSERT_TRUE(std::filesystem::path(desk_.document().sound->file).is_absolute());
+  const auto before = track().shared_sound();
+  ASSERT_TRUE(desk_.app->of<Files>().save(path("project.glb")).ok());
+  EXPECT_EQ(desk_.document().sound->file, "talk.wav");
+  EXPECT_FALSE(desk_.app->of<EditingSession>().unsaved());
+  desk_.frames();
+  EXPECT_EQ(track().shared_sound(), before) << "the same samples play on";
+  // The folder as a whole may go elsewhere.
+  const std::filesystem::path moved = desk_.folder / "elsewhere";
+  std::filesystem::create_directory(moved);
+  std::filesystem::rename(path("talk.wav"), moved / "talk.wav");
+  std::filesystem::rename(path("project.glb"), moved / "project.glb");
+  ASSERT_TRUE(desk_.app->of<Files>().open((moved / "project.glb").string()).ok());
+  desk_.frames();
+  ASSERT_NE(track().sound(), nullptr);
+  // Saved where the sound is not below it, the whole path finds it.
+  std::filesystem::create_directory(desk_.folder / "other");
+  ASSERT_TRUE(desk_.app->of<Files>().save((desk_.folder / "other" / "project.glb").string()).ok());
+  ASSERT_TRUE(desk_.app->of<Files>().open((desk_.folder / "other" / "project.glb").string()).ok());
+  desk_.frames();
+  EXPECT_NE(track().sound(), nullptr);
+  EXPECT_TRUE(std::filesystem::path(desk_.document().sound->file).is_absolute());
+}
+
+TEST_F(SoundTrackOfDesk, ASaveThatFailsLeavesTheSoundAsItIsNamed) {
+  track().open(path("talk.wav"));
+  const std::string named = desk_.document().sound->file;
+  EXPECT_FALSE(desk_.app->of<Files>().save(path("no/such/folder/project.glb")).ok());
+  EXPECT_EQ(desk_.document().sound->file, named);
+}
+
 TEST_F(SoundTrackOfDesk, WithoutADeviceTheTimelinePlaysInSilence) {
   log_.broken = true;
   track().open(path("talk.wav"));

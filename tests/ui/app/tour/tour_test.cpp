@@ -75,7 +75,7 @@ TEST(Tour, TheFirstStartOffersThemAndTheSearchFindsThem) {
   ASSERT_TRUE(desk.app->of<TourGuide>().active());
   EXPECT_EQ(desk.app->of<TourGuide>().tour().name, "pose");
   EXPECT_TRUE(desk.app->of<Preferences>().settings().steps_seen) << "it is not offered at every start";
-  const auto found = find_commands({desk.document(), 24, {}}, "tour");
+  const auto found = find_commands({desk.document(), {}, 24, {}}, "tour");
   ASSERT_GE(found.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(found[i].text.starts_with("Tour: ")) << found[i].text;
 }

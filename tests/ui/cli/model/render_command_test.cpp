@@ -10,7 +10,7 @@
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/commands.h"
-#include "ui/cli/model/frame_name.h"
+#include "ui/film/frame_name.h"
 
 namespace penpose::cli {
 namespace {
@@ -145,10 +145,10 @@ TEST_F(RenderCommand, ShowsAMomentOfTheAnimationThatIsNamed) {
 }
 
 TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {
-  EXPECT_EQ(frame_name("out/smile", 1), "out/smile0001.png");
-  EXPECT_EQ(frame_name("out/smile.png", 12), "out/smile0012.png");
-  EXPECT_EQ(frame_name("smile_######", 12345), "smile_012345.png");
-  EXPECT_EQ(frame_name("smile##.png", 100), "smile100.png");
+  EXPECT_EQ(film::frame_name("out/smile", 1), "out/smile0001.png");
+  EXPECT_EQ(film::frame_name("out/smile.png", 12), "out/smile0012.png");
+  EXPECT_EQ(film::frame_name("smile_######", 12345), "smile_012345.png");
+  EXPECT_EQ(film::frame_name("smile##.png", 100), "smile100.png");
 }
 
 TEST_F(RenderCommand, WritesAPictureAFrame) {

@@ -223,6 +223,28 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
   }
 }
 
+/// How the controls trail that Overlap is about, over their curves as they are.
+void draw_trailing(const TimelineOwners& with, const Graph& graph) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::vector<ImVec2> line;
+  const float step = std::max(k_curve_step_px, graph.strip.size.x / 400);
+  for (const OverlapOffer::Trailing& one : with.overlap.trailing()) {
+    const std::size_t control = one.overlap.control;
+    if (with.shown().chosen.count(control) == 0) continue;
+    line.clear();
+    for (float x = graph.strip.from.x; x <= graph.strip.to().x; x += step) {
+      const auto value = with.overlap.value_at(control, graph.strip.time_of(x));
+      if (value) line.push_back({x, graph.y_of(control, *value)});
+    }
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), ImGui::GetColorU32(ImGuiCol_Text), 0, 2.5F);
+    for (std::size_t k = 0; k < one.keys.times_s.size(); ++k) {
+      const ImVec2 at{graph.strip.x_of(one.keys.times_s[k]), graph.y_of(control, one.keys.values[k])};
+      if (at.x >= graph.strip.from.x && at.x <= graph.strip.to().x)
+        list.AddCircleFilled(at, 4, ImGui::GetColorU32(ImGuiCol_Text), 8);
+    }
+  }
+}
+
 /// At first, the curves of what moves most.
 void choose_first(const TimelineOwners& with, std::span<const rig::Parameter> parameters) {
   TimelineShown& shown = with.shown();
@@ -276,6 +298,7 @@ void show_curve_editor(PanelContext& context, const TimelineOwners& with, float 
     list.AddLine({graph.strip.from.x, y}, {graph.strip.to().x, y}, ImGui::GetColorU32(ImGuiCol_Text, 0.15F));
   }
   draw_curves(context, with, graph);
+  draw_trailing(with, graph);
   show_cursor(graph.strip, with);
   if (drag.does == KeyDrag::Does::boxes && drag.pulled)
     list.AddRect({drag.from.first, drag.from.second}, at, ImGui::GetColorU32(ImGuiCol_ButtonActive));

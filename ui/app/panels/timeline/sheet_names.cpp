@@ -33,6 +33,14 @@ bool draws_curve(const TimelineOwners& with, const SheetRow& row) {
 
 void touch_row(const TimelineOwners& with, const SheetRow& row) {
   TimelineShown& shown = with.shown();
+  if (row.group && ImGui::GetIO().KeyShift && shown.part == TimelinePart::sheet) {
+    for (const document::PoseKey& key : with.editing.document().timeline->keys) {
+      for (const std::size_t control : row.controls) {
+        if (key.controls.has(control)) with.keys.selected().add(key.time_s, control);
+      }
+    }
+    return;
+  }
   if (row.group) {
     if (shown.folded.erase(row.name) == 0) shown.folded.insert(row.name);
     return;

@@ -7,9 +7,11 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/playback/ghosts.h"
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/sheet/overlap_offer.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/tour/tour_guide.h"
 
@@ -28,6 +30,8 @@ struct TimelineOwners {
   Notices& notices;
   Dialogs& dialogs;
   PanelState& panels;
+  OverlapOffer& overlap;
+  GhostHand& ghosts;
   [[nodiscard]] TimelineShown& shown() const { return panels.own.of<TimelineShown>(); }
 };
 
@@ -99,6 +103,9 @@ class KeyRow {
 
 /// The colour of the curve of a control.
 [[nodiscard]] ImU32 curve_color(std::size_t control);
+
+/// How far the last change of a ghost goes, where there is one (ghost_reach.cpp).
+void show_ghost_reach(PanelContext& context, const TimelineOwners& with);
 
 /// The rows of controls below the whole poses (dope_sheet.cpp), `height` px high.
 void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float height);

@@ -1,111 +1,62 @@
 #include "ui/app/widgets/internal/pose_picture.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "ui/render/picture/texture_picture.h"
 
 namespace penpose::app {
-namespace {
-
-using geometry::ModelPoint;
-
-/// Where a picture looks from: x to the right, y down, z towards the eye, in px.
-struct Eye {
-  ModelPoint middle{0};
-  double scale = 1;
-  double half = 0;
-  [[nodiscard]] glm::dvec3 seen(const ModelPoint& p) const {
-    return {half + (p.x - middle.x) * scale, half - (p.y - middle.y) * scale, p.z * scale};
-  }
-};
-
-}  // namespace
-
-std::vector<std::uint8_t> surface_picture(std::span<const ModelPoint> positions,
-                                          std::span<const mesh::Triangle> triangles, const PictureFrame& frame,
-                                          int px) {
-  const auto size = static_cast<std::size_t>(px);
-  std::vector<std::uint8_t> picture(2 * size * size, 0);
-  std::vector<double> depth(size * size, -1e300);
-  const Eye from{frame.middle, px / std::max(1e-9, frame.side), 0.5 * px};
-  for (const mesh::Triangle& corners : triangles) {
-    const glm::dvec3 a = from.seen(positions[corners[0]]);
-    const glm::dvec3 b = from.seen(positions[corners[1]]);
-    const glm::dvec3 c = from.seen(positions[corners[2]]);
-    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    // Turned away, as seen with y down.
-    if (!(area < 0)) continue;
-    const glm::dvec3 normal = geometry::normalized({(c.y - a.y) * (b.z - a.z) - (b.y - a.y) * (c.z - a.z),
-                                                    (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z), area});
-    const double light = std::clamp(0.25 - 0.62 * normal.z + 0.3 * normal.y - 0.12 * normal.x, 0.08, 1.0);
-    const int left = std::max(0, static_cast<int>(std::floor(std::min({a.x, b.x, c.x}))));
-    const int right = std::min(px - 1, static_cast<int>(std::ceil(std::max({a.x, b.x, c.x}))));
-    const int top = std::max(0, static_cast<int>(std::floor(std::min({a.y, b.y, c.y}))));
-    const int bottom = std::min(px - 1, static_cast<int>(std::ceil(std::max({a.y, b.y, c.y}))));
-    for (int y = top; y <= bottom; ++y) {
-      for (int x = left; x <= right; ++x) {
-        const double u = ((b.x - x) * (c.y - y) - (b.y - y) * (c.x - x)) / area;
-        const double v = ((c.x - x) * (a.y - y) - (c.y - y) * (a.x - x)) / area;
-        if (u < 0 || v < 0 || u + v > 1) continue;
-        const double z = u * a.z + v * b.z + (1 - u - v) * c.z;
-        const std::size_t at = static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
-        if (z <= depth[at]) continue;
-        depth[at] = z;
-        picture[2 * at] = static_cast<std::uint8_t>(255 * std::sqrt(light));
-        picture[2 * at + 1] = 255;
-      }
-    }
-  }
-  return picture;
-}
 
 void PosePictures::reserve(ImFontAtlas& atlas) {
-  rect_ = atlas.AddCustomRectRegular(k_px * k_across, k_px * k_across);
+  sheet_.reserve(atlas);
   pictures_.clear();
   next_ = 0;
 }
 
-std::optional<std::pair<ImVec2, ImVec2>> PosePictures::place_of(const document::Document& document,
-                                                                const document::PoseKey& key, FacePart part) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  if (rect_ < 0 || atlas.TexPixelsRGBA32 == nullptr) return std::nullopt;
-  const auto found = std::find_if(pictures_.begin(), pictures_.end(), [&](const Picture& one) {
-    return one.model == document.model && one.pose == key.pose && one.part == part;
-  });
-  auto place = static_cast<std::size_t>(found - pictures_.begin());
-  const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(rect_);
-  const auto x_of = [&](std::size_t at) { return rect.X + k_px * static_cast<int>(at % k_across); };
-  const auto y_of = [&](std::size_t at) { return rect.Y + k_px * static_cast<int>(at / k_across); };
-  if (found == pictures_.end()) {
-    if (drew_ || key.pose.size() != document.model->rig->parameters().size()) return std::nullopt;
-    drew_ = changed_ = true;
-    if (pictures_.size() < static_cast<std::size_t>(k_across * k_across)) {
-      pictures_.emplace_back();
-    } else {
-      place = next_++ % pictures_.size();
-    }
-    pictures_[place] = {document.model, key.pose, part};
+std::optional<PosePictures::Corners> PosePictures::place_of(const document::Document& document,
+                                                            const document::PoseKey& key, FacePart part) {
+  if (key.pose.size() != document.model->rig->parameters().size()) return std::nullopt;
+  return place(Picture{document.model, key.pose, part, {}}, [&] {
     if (framed_ != document.model) {
       framed_ = document.model;
       frames_ = picture_frames(*framed_);
     }
-    const rig::Rig& rig = *document.model->rig;
-    std::vector<ModelPoint> posed(rig.vertex_count());
-    rig.evaluate(key.pose, posed);
-    const PictureFrame& frame = frames_[static_cast<std::size_t>(part)];
-    const auto picture = surface_picture(posed, document.model->mesh->triangles(), frame, k_px);
+    return pose_pixels(*document.model, key.pose, frames_[static_cast<std::size_t>(part)], k_px);
+  });
+}
+
+std::optional<PosePictures::Corners> PosePictures::place_of(const std::string& name, base::Bytes png) {
+  return place(Picture{{}, {}, {}, name}, [&] {
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * k_px * k_px), 0);
+    const auto image = render::decode_picture(png, k_px);
+    if (!image || image->width < 1 || image->height < 1) return pixels;
+    // Pictures of others may have another size: the nearest px of each.
     for (int y = 0; y < k_px; ++y) {
       for (int x = 0; x < k_px; ++x) {
-        const std::uint8_t* px =
-            picture.data() + 2 * (static_cast<std::size_t>(y) * k_px + static_cast<std::size_t>(x));
-        atlas.TexPixelsRGBA32[(y_of(place) + y) * atlas.TexWidth + x_of(place) + x] =
-            IM_COL32(px[0], px[0] * 15 / 16, px[0] * 7 / 8, px[1]);
+        const std::uint8_t* from = image->at(x * image->width / k_px, y * image->height / k_px);
+        std::copy(from, from + 4, pixels.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * k_px + x));
       }
     }
+    return pixels;
+  });
+}
+
+template <typename Draw>
+std::optional<PosePictures::Corners> PosePictures::place(Picture wanted, const Draw& draw) {
+  if (!sheet_.ready()) return std::nullopt;
+  const auto found = std::find(pictures_.begin(), pictures_.end(), wanted);
+  auto place = static_cast<std::size_t>(found - pictures_.begin());
+  if (found == pictures_.end()) {
+    if (drew_) return std::nullopt;
+    drew_ = changed_ = true;
+    if (pictures_.size() < sheet_.count()) {
+      pictures_.emplace_back();
+    } else {
+      place = next_++ % pictures_.size();
+    }
+    pictures_[place] = std::move(wanted);
+    sheet_.draw(place, draw());
   }
-  const auto corner = [&](int x, int y) {
-    return ImVec2{static_cast<float>(x) * atlas.TexUvScale.x, static_cast<float>(y) * atlas.TexUvScale.y};
-  };
-  return std::pair{corner(x_of(place), y_of(place)), corner(x_of(place) + k_px, y_of(place) + k_px)};
+  return sheet_.corners(place);
 }
 
 }  // namespace penpose::app

@@ -5,22 +5,18 @@
 #include <imgui.h>
 #include <memory>
 #include <optional>
-#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/byte_reader.h"
 #include "core/document/document.h"
-#include "ui/app/widgets/picture_frame.h"
+#include "ui/app/widgets/internal/picture_sheet.h"
+#include "ui/app/widgets/surface_picture.h"
 
 // Small pictures of poses. Private to the module: ImGui's types show.
 
 namespace penpose::app {
-
-/// Draws a posed surface from the front, lit from above the eye, into a square of `px` by `px` grey values with alpha
-/// (two bytes a pixel).
-[[nodiscard]] std::vector<std::uint8_t> surface_picture(std::span<const geometry::ModelPoint> positions,
-                                                        std::span<const mesh::Triangle> triangles,
-                                                        const PictureFrame& frame, int px);
 
 /// Pictures of keyed poses beside the letters in ImGui's one texture. One is drawn a frame, so that no frame is late.
 class PosePictures {
@@ -33,9 +29,12 @@ class PosePictures {
   void begin_frame() { drew_ = false; }
   /// Where the picture of a key's pose, or of a part of it, is in the texture (two corners); nothing while there is
   /// none yet.
-  [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> place_of(const document::Document& document,
-                                                                  const document::PoseKey& key, FacePart part);
-  [[nodiscard]] bool reserved() const { return rect_ >= 0; }
+  using Corners = std::pair<ImVec2, ImVec2>;
+  [[nodiscard]] std::optional<Corners> place_of(const document::Document& document, const document::PoseKey& key,
+                                                FacePart part);
+  /// The same of a picture file; `name` stands for its content.
+  [[nodiscard]] std::optional<Corners> place_of(const std::string& name, base::Bytes png);
+  [[nodiscard]] bool reserved() const { return sheet_.reserved(); }
   /// Something was drawn into the texture since it was last asked.
   [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
   /// There is more to draw in the next frame.
@@ -46,8 +45,13 @@ class PosePictures {
     std::shared_ptr<const document::Model> model;
     document::SharedPose pose;
     FacePart part = FacePart::all;
+    std::string name;  ///< of a file; empty: of a pose
+    friend bool operator==(const Picture&, const Picture&) = default;
   };
-  int rect_ = -1;
+  template <typename Draw>
+  [[nodiscard]] std::optional<Corners> place(Picture wanted, const Draw& draw);
+
+  PictureSheet sheet_{k_px, k_across};
   std::shared_ptr<const document::Model> framed_;  ///< whose `frames_` they are
   PictureFrames frames_;
   std::deque<Picture> pictures_;  ///< by place; as many as there is room for

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <imgui_stdlib.h>
 #include <utility>
 
 #include "ui/app/widgets/internal/icon.h"
@@ -13,26 +12,7 @@
 namespace penpose::app {
 namespace {
 
-/// Whether the cursor was placed in the field of a dialog that has just taken the keyboard.
-struct FieldCursor {
-  bool placed = true;
-};
-
 constexpr float k_pi = 3.14159265F;
-
-/// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
-/// chosen, so that typing writes another name.
-int place_cursor(ImGuiInputTextCallbackData* data) {
-  auto& placed = *static_cast<bool*>(data->UserData);
-  if (std::exchange(placed, true)) return 0;
-  const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
-  const std::size_t dot = text.rfind('.');
-  const bool file = dot != std::string_view::npos && dot > 0 && dot + 4 == text.size() && text[dot + 1] >= 'a';
-  data->CursorPos = file ? static_cast<int>(dot) : data->BufTextLen;
-  data->SelectionStart = file ? 0 : data->CursorPos;
-  data->SelectionEnd = data->CursorPos;
-  return 0;
-}
 
 /// Part of a target's height that an icon takes.
 constexpr float k_icon = 0.56F;
@@ -205,7 +185,7 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
 
 bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
   const std::string own(info(action).label);
-  const std::string tip = tooltip_of(action);
+  const std::string tip = context.actions.keys().tooltip_of(action);
   const std::string_view icon = label == nullptr ? icon_of(action) : std::string_view();
   ButtonLook look{width, chosen, tip.c_str(), icon};
   look.left_aligned = width == -1 && !icon.empty();
@@ -289,12 +269,6 @@ void end_dialog() {
   ImGui::PopFont();
 }
 
-void note_field(PanelContext& context, const char* label) {
-  note(context, label);
-  if (ImGui::IsItemVisible()) context.fields.push_back(context.targets[label]);
-  if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
-}
-
 bool begin_menu(PanelContext& context, const char* name) {
   if (!ImGui::BeginPopup(name)) return false;
   context.hits.all = true;
@@ -305,34 +279,6 @@ bool begin_menu(PanelContext& context, const char* name) {
   std::swap(context.scrolls, context.menu_scrolls);
   if (context.cancels) ImGui::CloseCurrentPopup();
   return true;
-}
-
-void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint) {
-  context.has_field = true;
-  if (context.field_first) {
-    ImGui::SetKeyboardFocusHere();
-    context.own.of<FieldCursor>().placed = false;
-  }
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
-  ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_CallbackAlways, place_cursor,
-                           &context.own.of<FieldCursor>().placed);
-  note_field(context, label);
-  ImGui::PopStyleVar();
-}
-
-bool text_field(PanelContext& context, const char* label, std::string& text, float width, const char* hint,
-                bool* accepted) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
-  ImGui::SetNextItemWidth(width);
-  const bool changed = ImGui::InputTextWithHint(label, hint, &text);
-  note_field(context, label);
-  if (accepted != nullptr) {
-    *accepted = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
-                                               ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
-  }
-  ImGui::PopStyleVar();
-  return changed;
 }
 
 bool control_slider(PanelContext& context, const char* id, double& value, double least, double most,

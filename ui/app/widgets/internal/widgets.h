@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <imgui.h>
 #include <string>
 #include <string_view>
@@ -74,8 +75,11 @@ bool text_field(PanelContext& context, const char* label, std::string& text, flo
                 bool* accepted = nullptr);
 /// Notes a text field that was just shown, and whether it is typed into.
 void note_field(PanelContext& context, const char* label);
+/// What a text becomes where Tab is pressed in it.
+using TextCompleter = std::function<std::string(const std::string& text)>;
 /// The text field of a dialog, which takes the keyboard as soon as there is one.
-void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint);
+void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint,
+                  const TextCompleter* complete = nullptr);
 /// A menu that was opened by its name; nothing else is hit and Escape closes it. `ImGui::EndPopup` where true.
 bool begin_menu(PanelContext& context, const char* name);
 /// Tells ImGui which keys edit text.

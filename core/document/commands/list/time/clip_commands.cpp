@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/document/commands/apply_parts.h"
-#include "core/document/time/animation_keys.h"
+#include "core/document/time/clips/animation_keys.h"
 #include "core/document/time/timeline_editing.h"
 
 namespace penpose::document {

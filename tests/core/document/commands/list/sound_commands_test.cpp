@@ -72,6 +72,65 @@ TEST(SoundCommands, KeysFollowAMouthThatIsDrawnAgain) {
   EXPECT_EQ(keyed(hand.document(), 0.5, "lift"), 0.75);
 }
 
+MoveKeys moves(std::vector<double> times_s, double by_s) {
+  MoveKeys move;
+  move.times_s = std::move(times_s);
+  move.by_s = by_s;
+  return move;
+}
+
+TEST(SoundCommands, AKeyThatWasMovedStillFollowsItsMouth) {
+  DocumentHand hand;
+  hand.does(SetMouth{"open", {{"lift", 0.75}}});
+  hand.does(SetMouth{"rest", {}});
+  hand.does(KeyMouths{{0.5, 1, 1.5}, {"open", "rest", "open"}});
+  hand.does(moves({0.5}, 0.25));
+  MoveKeys scaled = moves({1.5}, 0);
+  scaled.about_s = 1;
+  scaled.scale = 3;
+  hand.does(scaled);
+  hand.does(SetMouth{"open", {{"lift", 0.5}}});
+  EXPECT_EQ(keyed(hand.document(), 0.75, "lift"), 0.5);
+  EXPECT_EQ(keyed(hand.document(), 2.5, "lift"), 0.5);
+  EXPECT_EQ(keyed(hand.document(), 1, "lift"), 0);
+  EXPECT_EQ(hand.document().timeline->keys.size(), 3U) << "none where it was before";
+  ASSERT_TRUE(hand.undo().ok());
+  ASSERT_TRUE(hand.undo().ok());
+  ASSERT_TRUE(hand.undo().ok());
+  hand.does(SetMouth{"open", {{"lift", 0.25}}});
+  EXPECT_EQ(keyed(hand.document(), 0.5, "lift"), 0.25) << "back where they were, they follow there";
+}
+
+TEST(SoundCommands, ACopyFollowsItsMouthAndOneThatIsMovedOverAnotherTakesItsPlace) {
+  DocumentHand hand;
+  hand.does(SetMouth{"open", {{"lift", 0.75}}});
+  hand.does(SetMouth{"rest", {}});
+  hand.does(KeyMouths{{0.5, 1, 1.5}, {"open", "rest", "open"}});
+  MoveKeys copied = moves({0.5}, 2);
+  copied.copies = true;
+  hand.does(copied);
+  hand.does(moves({0.5}, 0.5));
+  hand.does(SetMouth{"open", {{"lift", 0.5}}});
+  EXPECT_EQ(keyed(hand.document(), 2.5, "lift"), 0.5);
+  EXPECT_EQ(keyed(hand.document(), 1, "lift"), 0.5) << "in place of the rest";
+  EXPECT_EQ(hand.document().spoken->size(), 3U);
+  hand.does(SetMouth{"rest", {{"lift", 0.1}}});
+  EXPECT_EQ(keyed(hand.document(), 1, "lift"), 0.5) << "no longer a rest";
+}
+
+TEST(SoundCommands, AMouthOfWhichOnlySomeControlsWereMovedStays) {
+  DocumentHand hand;
+  hand.does(SetMouth{"open", {{"lift", 0.75}, {"lean", 0.25}}});
+  hand.does(KeyMouths{{0.5, 1.5}, {"open", "open"}});
+  MoveKeys move = moves({0.5}, 0.25);
+  move.names = {"lift"};
+  hand.does(move);
+  hand.does(SetMouth{"open", {{"lift", 0.5}}});
+  EXPECT_EQ(keyed(hand.document(), 0.75, "lift"), 0.75) << "changed by hand";
+  EXPECT_EQ(keyed(hand.document(), 0.5, "lean"), 0.25);
+  EXPECT_EQ(keyed(hand.document(), 1.5, "lift"), 0.5);
+}
+
 TEST(SoundCommands, AKeyThatTheArtistChangedStaysAsItIs) {
   DocumentHand hand;
   hand.does(SetMouth{"open", {{"lift", 0.75}}});

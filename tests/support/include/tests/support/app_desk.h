@@ -28,7 +28,7 @@ class Desk {
       std::ofstream(folder / "config" / "settings") << "pose_first=1\n";
     }
     AppOptions options;
-    options.folders = {(folder / "state").string(), (folder / "config").string()};
+    options.folders = {(folder / "state").string(), (folder / "config").string(), (folder / "poses").string()};
     options.clock = [this] { return now_us; };
     options.slow_screen = slow_screen;
     options.date = [] { return std::string("2026-01-02_03-04-05"); };

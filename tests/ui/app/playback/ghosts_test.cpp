@@ -1,0 +1,119 @@
+#include "ui/app/playback/ghosts.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+
+// Ghosts are drawn on: the moment that they are of is changed, and the change goes out on both sides.
+
+namespace penpose::app {
+namespace {
+
+/// Four poses of the mouth, looked at between the first two.
+class GhostDesk : public Desk {
+ public:
+  explicit GhostDesk(const std::string& name) : Desk(name) {
+    begin();
+    for (const double time : {0.0, 1.0, 2.0, 3.0}) {
+      perform(document::SetParameters{{{"jaw", 0.1 + 0.1 * time}, {"brow_inner_L", 0.2 * time}}});
+      perform(document::SetKey{time, {}});
+    }
+    app->of<Playback>().go_to(0.5);
+    app->of<Actions>().run(Action{"tool_ghost"});
+    frames();
+  }
+  void perform(const document::Command& command) { ASSERT_TRUE(app->of<EditingSession>().perform(command)); }
+  /// The ghost of a curve of the mouth at a moment, moved by px.
+  std::vector<PxPoint> ghost(double time_s, PxPoint by) const {
+    std::size_t number = 0;
+    while (document().model->curves[number].name != any_curve(*this)) ++number;
+    std::size_t of_moment = 0;
+    for (const Ghost& one : ghosts_of(document(), app->of<Canvas>().view())) {
+      if (one.time_s != time_s || of_moment++ != number) continue;
+      std::vector<PxPoint> line;
+      for (const PxPoint& at : one.places) line.push_back(at + by);
+      return line;
+    }
+    return {};
+  }
+  rig::Pose pose(double time_s) const { return document::pose_at(document(), time_s); }
+  bool says(const std::string& text) const {
+    const auto& all = app->of<Notices>().all();
+    return std::any_of(all.begin(), all.end(), [&](const Notice& one) { return one.text.find(text) == 0; });
+  }
+};
+
+double mean_apart(const std::vector<PxPoint>& a, const std::vector<PxPoint>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += geometry::distance(a[i], b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+TEST(Ghosts, TheMomentThatIsDrawnOnIsChangedAndNoOther) {
+  GhostDesk desk("ghost-drawn");
+  const auto before = *desk.document().timeline;
+  const auto poses = std::array{desk.pose(0), desk.pose(1), desk.pose(2)};
+  const auto target = desk.ghost(1, {0, 12});
+  ASSERT_GT(target.size(), 2U);
+  desk.stroke(target);
+  EXPECT_TRUE(desk.says("frame 24 was changed, from frame 0 to 48"));
+  EXPECT_EQ(desk.pose(0), poses[0]);
+  EXPECT_EQ(desk.pose(2), poses[2]);
+  EXPECT_NE(desk.pose(1), poses[1]);
+  EXPECT_LT(mean_apart(desk.ghost(1, {}), target), 6) << "the ghost lies where it was drawn";
+  EXPECT_EQ(desk.document().timeline->keys.size(), before.keys.size());
+  EXPECT_EQ(desk.document().time_s, 0.5) << "one stays where one is";
+  EXPECT_EQ(desk.document().pose, desk.pose(0.5));
+  desk.press('z', true);
+  EXPECT_EQ(*desk.document().timeline, before) << "one step";
+}
+
+TEST(Ghosts, TheBarSetsHowFarTheChangeGoes) {
+  GhostDesk desk("ghost-reach");
+  const auto before = *desk.document().timeline;
+  const auto at_two = desk.pose(2);
+  const auto at_three = desk.pose(3);
+  desk.stroke(desk.ghost(1, {0, 12}));
+  GhostHand& hand = desk.app->of<GhostHand>();
+  ASSERT_NE(hand.last(), nullptr);
+  ASSERT_NE(desk.interface->find("reach"), nullptr);
+  const GhostEdit edit = *hand.last();
+  EXPECT_EQ(edit.from_s, 0);
+  EXPECT_EQ(edit.to_s, 2);
+  hand.reach(0, 3);
+  ASSERT_NE(hand.last(), nullptr);
+  EXPECT_EQ(hand.last()->to_s, 3);
+  for (std::size_t c = 0; c < edit.controls.size(); ++c) {
+    const std::size_t p = edit.controls[c];
+    const rig::Parameter& range = desk.document().model->rig->parameters()[p];
+    EXPECT_NEAR(desk.pose(2)[p], std::clamp(at_two[p] + 0.5 * edit.by[c], range.minimum, range.maximum), 1e-9);
+  }
+  EXPECT_EQ(desk.pose(3), at_three);
+  // Narrower than to the neighbouring keys: it ends where nothing was keyed.
+  hand.reach(0.75, 1.5);
+  const document::Timeline narrow = *desk.document().timeline;
+  EXPECT_EQ(desk.pose(2), at_two);
+  EXPECT_NEAR(desk.pose(1.5)[edit.controls.front()], *document::sample(before, edit.controls.front(), 1.5), 1e-9);
+  desk.press('z', true);
+  EXPECT_EQ(*desk.document().timeline, before) << "still one step";
+}
+
+TEST(Ghosts, AChangeFadesSmoothly) {
+  EXPECT_EQ(share_left(1, 1, 0, 3), 1);
+  EXPECT_EQ(share_left(0, 1, 0, 3), 0);
+  EXPECT_EQ(share_left(3, 1, 0, 3), 0);
+  EXPECT_DOUBLE_EQ(share_left(2, 1, 0, 3), 0.5);
+  EXPECT_EQ(share_left(0.5, 1, 1, 3), 0) << "nothing goes beyond an end";
+}
+
+TEST(Ghosts, FarFromThemNothingChangesAndItIsSaid) {
+  GhostDesk desk("ghost-far");
+  const auto before = *desk.document().timeline;
+  desk.stroke(desk.ghost(1, {0, -400}));
+  EXPECT_EQ(*desk.document().timeline, before);
+  EXPECT_TRUE(desk.says("Nothing changed"));
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,208 @@
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ui/app/input/side_pairs.h"
+#include "ui/app/panels/panel_state.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/panels/poses/pose_parts.h"
+#include "ui/app/playback/frames.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/editing_session.h"
+#include "ui/app/session/pose_library.h"
+#include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/internal/theme.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// The poses of the file: those that are keyed, as pictures with names, to be taken as a whole or in part. Beside them
+// the library.
+
+namespace penpose::app {
+namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Playback& playback;
+  PanelState& panels;
+  PoseShelf& shelf;
+};
+
+/// What is being taken of a pose.
+struct PosesShown {
+  PoseChoice choice;
+  bool blending = false;  ///< it is being blended in
+  bool library = false;   ///< those of the user's folder are shown, else those of the file
+};
+
+/// The pose that taking the choice would give.
+rig::Pose posed(const document::Document& document, const document::SetParameters& values) {
+  rig::Pose pose = document.pose;
+  const auto parameters = document.model->rig->parameters();
+  for (const auto& [name, value] : values.values) {
+    if (const auto index = rig::find_parameter(parameters, name)) pose[*index] = value;
+  }
+  return pose;
+}
+
+/// A picture of a key, which chooses it.
+void show_picture(PanelContext& context, const Owners& with, const document::PoseKey& key, float width) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
+  const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
+  const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
+  const float line = ImGui::GetFontSize() + context.gap;
+  const ImVec2 size{width, width + line};
+  ImGui::PushID(label.c_str());
+  const bool pressed = ImGui::InvisibleButton("##pose", size);
+  ImGui::PopID();
+  note(context, label.c_str());
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
+                     5);
+  if (const auto place = context.pictures.place_of(with.editing.document(), key, choice.part)) {
+    list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
+                         place->first, place->second, IM_COL32_WHITE, 4);
+  }
+  const std::string shown = fitted_text(label.substr(0, label.find("##")), width - 2 * context.gap);
+  const float wide = ImGui::CalcTextSize(shown.c_str()).x;
+  list.AddText({0.5F * (from.x + to.x - wide), from.y + width + 0.25F * context.gap}, ImGui::GetColorU32(ImGuiCol_Text),
+               shown.c_str());
+  if (chosen) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
+  if (!pressed) return;
+  choice.time_s = key.time_s;
+  choice.expression.reset();
+  choice.amount = 1;
+}
+
+/// The expressions that the model came with, by name: two in a row.
+void show_expressions(PanelContext& context, const Owners& with) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  const auto model = with.editing.document().model;
+  if (model->expressions.empty()) return;
+  ImGui::TextUnformatted("Expressions of the model");
+  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  for (std::size_t i = 0; i < model->expressions.size(); ++i) {
+    if (i % 2 == 1) ImGui::SameLine();
+    const std::string label = model->expressions[i].name + "##expression " + std::to_string(i);
+    if (!wide_button(context, label.c_str(), width, choice.expression == i,
+                     "A pose that came with the model. Touch to choose it, then take it by the slider below"))
+      continue;
+    choice.expression = i;
+    choice.time_s = -1;
+    choice.amount = 1;
+  }
+}
+
+void show_pictures(PanelContext& context, const Owners& with, float height) {
+  begin_list(context, "pictures", {0, height});
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
+  const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
+  const auto held = with.editing.document().timeline;
+  int column = 0;
+  for (const std::size_t k : keys_shown(*held)) {
+    if (column++ % across != 0) ImGui::SameLine();
+    show_picture(context, with, held->keys[k], width);
+  }
+  show_expressions(context, with);
+  if (held->keys.empty()) {
+    ImGui::TextWrapped(
+        "No pose is keyed yet. Draw one, press Key, and give it a name: it can be taken again from here.");
+  }
+  ImGui::EndChild();
+}
+
+/// What of the chosen pose is taken, and how much of it.
+void show_choice(PanelContext& context, const Owners& with) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  show_part_buttons(context, choice.part, "What of the pose is taken");
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - spacing);
+  ButtonLook mirror{half, choice.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
+  if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!choice.chosen());
+  const auto pairs = side_pairs(with.editing.document().model->rig->parameters());
+  const auto take = [&](double amount) {
+    PoseChoice all = choice;
+    all.amount = amount;
+    const auto values = values_of_choice(with.editing.document(), all, pairs);
+    with.editing.shown().preview(std::nullopt);
+    if (!values.values.empty()) with.editing.perform(values);
+  };
+  if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
+  bool released = false;
+  double amount = with.panels.own.of<PosesShown>().blending ? choice.amount : 0;
+  if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
+    with.panels.own.of<PosesShown>().blending = true;
+    choice.amount = amount;
+    const auto& document = with.editing.document();
+    with.editing.shown().preview(posed(document, values_of_choice(document, choice, pairs)));
+  }
+  if (released && std::exchange(with.panels.own.of<PosesShown>().blending, false)) take(choice.amount);
+  ImGui::EndDisabled();
+}
+
+/// Keeps the chosen pose in the library.
+void show_keep(PanelContext& context, const Owners& with) {
+  const PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  document::Document document = with.editing.document();
+  ImGui::BeginDisabled(!choice.chosen());
+  if (wide_button(context, "Keep in library##pose", -1, false, "The chosen pose, for every other file and rig")) {
+    PoseChoice whole = choice;
+    whole.part = FacePart::all;
+    whole.amount = 1;
+    // An expression moves its targets alone: it is kept as it is on a face at rest.
+    if (choice.expression) document.pose = rig::rest_pose(*document.model->rig);
+    std::string name;
+    if (choice.expression && *choice.expression < document.model->expressions.size())
+      name = document.model->expressions[*choice.expression].name;
+    for (const auto& key : document.timeline->keys) {
+      if (!choice.expression && std::abs(key.time_s - choice.time_s) < 1e-6) name = key.name;
+    }
+    const auto pairs = side_pairs(document.model->rig->parameters());
+    with.shelf.follow();
+    with.shelf.keep(posed(document, values_of_choice(document, whole, pairs)),
+                    name.empty() ? usual_pose_name(with.shelf) : name);
+  }
+  ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void show_part_buttons(PanelContext& context, FacePart& chosen, const char* tip) {
+  constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
+                                                                     {FacePart::brows, "Brows##part"},
+                                                                     {FacePart::eyes, "Eyes##part"},
+                                                                     {FacePart::mouth, "Mouth##part"}}};
+  const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
+  for (const auto& [part, label] : k_parts) {
+    if (part != FacePart::all) ImGui::SameLine();
+    if (wide_button(context, label, quarter, chosen == part, tip)) chosen = part;
+  }
+}
+
+void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels,
+                PoseShelf& shelf) {
+  const Owners with{editing, playback, panels, shelf};
+  PosesShown& shown = panels.own.of<PosesShown>();
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (wide_button(context, "This file##poses", half, !shown.library, "Poses that are keyed here"))
+    shown.library = false;
+  ImGui::SameLine();
+  if (wide_button(context, "Library##poses", half, shown.library, "Poses that were kept, for every file and rig"))
+    shown.library = true;
+  if (shown.library) return show_pose_shelf(context, shelf, editing, panels, shown.choice.part);
+  const float below = 4 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
+  show_pictures(context, with, std::max(context.unit, ImGui::GetContentRegionAvail().y - below));
+  show_choice(context, with);
+  show_keep(context, with);
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,34 @@
+#include "ui/app/widgets/internal/picture_sheet.h"
+
+namespace penpose::app {
+
+void PictureSheet::reserve(ImFontAtlas& atlas) { rect_ = atlas.AddCustomRectRegular(px_ * across_, px_ * across_); }
+
+bool PictureSheet::ready() const { return reserved() && ImGui::GetIO().Fonts->TexPixelsRGBA32 != nullptr; }
+
+std::pair<int, int> PictureSheet::corner(std::size_t place) const {
+  const ImFontAtlasCustomRect& rect = *ImGui::GetIO().Fonts->GetCustomRectByIndex(rect_);
+  const int at = static_cast<int>(place);
+  return {rect.X + px_ * (at % across_), rect.Y + px_ * (at / across_)};
+}
+
+std::pair<ImVec2, ImVec2> PictureSheet::corners(std::size_t place) const {
+  const ImVec2 share = ImGui::GetIO().Fonts->TexUvScale;
+  const auto [x, y] = corner(place);
+  const auto at = [&](int across, int down) {
+    return ImVec2{static_cast<float>(across) * share.x, static_cast<float>(down) * share.y};
+  };
+  return {at(x, y), at(x + px_, y + px_)};
+}
+
+void PictureSheet::draw(std::size_t place, std::span<const std::uint8_t> pixels) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  const auto [left, top] = corner(place);
+  const std::uint8_t* px = pixels.data();
+  for (int y = 0; y < px_; ++y) {
+    for (int x = 0; x < px_; ++x, px += 4)
+      atlas.TexPixelsRGBA32[(top + y) * atlas.TexWidth + left + x] = IM_COL32(px[0], px[1], px[2], px[3]);
+  }
+}
+
+}  // namespace penpose::app

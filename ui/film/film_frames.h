@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/document.h"
+#include "core/geometry/camera.h"
+#include "ui/render/appearance.h"
+#include "ui/render/renderer.h"
+
+namespace penpose::film {
+
+/// A part of a picture, px.
+struct PxPart {
+  int left = 0;
+  int top = 0;
+  geometry::Viewport size;
+};
+
+/// The ground behind a model in the window's light colours.
+[[nodiscard]] render::Background light_background();
+
+/// How frames look.
+struct FrameLook {
+  geometry::Camera camera;
+  std::optional<PxPart> part{};  ///< of what the camera shows; nothing: all of it
+  bool wireframe = false;
+  bool clay = false;   ///< without textures and colours of vertices
+  bool light = false;  ///< on light_background()
+};
+
+/// The frames of a document's timeline or, where nothing is keyed, of its model's first animation.
+class FilmFrames {
+ public:
+  /// Errors: nothing is keyed and the model has no animation.
+  static base::Result<FilmFrames> make(document::Document document, double rate);
+
+  /// The number of the last frame that anything is keyed on.
+  [[nodiscard]] int last() const;
+  /// The frames that are keyed, ascending.
+  [[nodiscard]] std::vector<int> keyed() const;
+  [[nodiscard]] const document::Document& document() const { return document_; }
+  /// The model as it is at a frame. Errors of the rig.
+  [[nodiscard]] base::Result<document::Model> at(int frame) const;
+
+ private:
+  FilmFrames() = default;
+
+  document::Document document_;
+  double rate_ = 24;
+};
+
+/// Draws a frame. Errors: of the rig and the renderer.
+[[nodiscard]] base::Result<render::Image> draw_frame(const FilmFrames& frames, int frame, render::Renderer& renderer,
+                                                     const render::Appearance& appearance, const FrameLook& look);
+
+/// A part of a picture. Precondition: it lies inside.
+[[nodiscard]] render::Image part_of(const render::Image& image, const PxPart& part);
+
+}  // namespace penpose::film
