@@ -1,9 +1,7 @@
 #include "core/poses/take_pose.h"
 
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
-#include <iostream>
 
 #include "core/character/demo_head.h"
 #include "core/document/features/feature_curves.h"
@@ -152,10 +150,6 @@ TEST(SharedTakePose, ExpressionsComeAcrossFromRigToRig) {
       const Head& to = to_ict ? *ict : built_in;
       const auto taken = to.take(from.keep(one.name, to_ict ? one.demo : one.ict));
       ASSERT_TRUE(taken) << taken.error().line();
-      std::cout << one.name << (to_ict ? " demo->ict " : " ict->demo ") << words_of(from.keep(one.name, {}), *taken)
-                << " left " << *taken->left << "\n";
-      for (const auto& value : taken->values)
-        if (std::abs(value.value) > 1e-6) std::cout << "    " << value.name << " " << value.value << "\n";
       EXPECT_EQ(taken->way, Way::effects);
       EXPECT_LT(*taken->left, 0.6) << one.name;
     }
