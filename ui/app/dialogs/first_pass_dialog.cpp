@@ -81,11 +81,7 @@ void show_text(PanelContext& context, const PassOwners& with) {
   FirstPassEntry& entry = with.entry;
   ImGui::TextWrapped("%s", "What is said, word by word, in English. Lips then close on 19 of 20 p, b and m.");
   if (entry.looks_for_text) {
-<<<<<<< HEAD
     const std::string chosen = browse(context, {with.files, with.preferences, with.dialogs}, {texts(), 4, 2});
-=======
-    const std::string chosen = browse(context, with.dialogs, 6 * context.unit, texts());
->>>>>>> helper_mouths
     if (wide_button(context, "Type it##said")) entry.looks_for_text = false;
     if (chosen.empty()) return;
     const auto bytes = files::read_file(chosen, files::k_most_text_bytes);
