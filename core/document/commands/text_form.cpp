@@ -27,13 +27,14 @@ constexpr Names<CurveRole, 4> k_roles{{{CurveRole::general, "general"},
                                        {CurveRole::specific, "specific"},
                                        {CurveRole::reference, "reference"},
                                        {CurveRole::target, "target"}}};
-constexpr Names<KeyKind, 8> k_key_kinds{{{KeyKind::smooth, "smooth"},
+constexpr Names<KeyKind, 9> k_key_kinds{{{KeyKind::smooth, "smooth"},
                                          {KeyKind::linear, "linear"},
                                          {KeyKind::stepped, "stepped"},
                                          {KeyKind::ease_in, "ease_in"},
                                          {KeyKind::ease_out, "ease_out"},
                                          {KeyKind::ease, "ease"},
                                          {KeyKind::free, "free"},
+                                         {KeyKind::overshoot, "overshoot"},
                                          {KeyKind::none, "none"}}};
 constexpr Names<Preset, 3> k_presets{{{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
 

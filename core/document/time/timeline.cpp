@@ -137,8 +137,10 @@ KeySegment segment_of(const Timeline& timeline, std::size_t parameter, std::size
   switch (begin.kind) {
     case KeyKind::smooth:
     case KeyKind::free:
-      segment.slope_from = begin.kind == KeyKind::free ? begin.out : smooth_slope(timeline, parameter, from);
-      segment.slope_to = end.kind == KeyKind::free ? end.in : smooth_slope(timeline, parameter, to);
+    case KeyKind::overshoot:
+      segment.slope_from = has_slopes(begin.kind) ? begin.out : smooth_slope(timeline, parameter, from);
+      segment.slope_to = has_slopes(end.kind) ? end.in : smooth_slope(timeline, parameter, to);
+      segment.overshoots = begin.kind == KeyKind::overshoot || end.kind == KeyKind::overshoot;
       break;
     case KeyKind::linear:
       segment.slope_from = segment.slope_to = straight;
@@ -159,7 +161,7 @@ KeySegment segment_of(const Timeline& timeline, std::size_t parameter, std::size
 
 ControlKey with_slopes(const Timeline& timeline, std::size_t place, std::size_t parameter) {
   ControlKey key = timeline.keys[place].controls[parameter];
-  if (key.kind == KeyKind::free) return key;
+  if (has_slopes(key.kind)) return key;
   const auto before = place > 0 ? key_before(timeline, parameter, place - 1) : std::nullopt;
   const auto after = key_after(timeline, parameter, place + 1);
   key.in = before ? segment_of(timeline, parameter, *before, place).slope_to : 0;
@@ -177,8 +179,8 @@ std::optional<double> sampled(const Timeline& timeline, std::size_t parameter, s
   if (!before || !after) return timeline.keys[before ? *before : *after].pose[parameter];
   const KeySegment segment = segment_of(timeline, parameter, *before, *after);
   const double value = value_at(segment, time_s);
-  const bool end_is_free = timeline.keys[*after].controls[parameter].kind == KeyKind::free;
-  if (segment.kind == KeyKind::free || (segment.kind == KeyKind::smooth && end_is_free)) return value;
+  const bool end_has_slopes = has_slopes(timeline.keys[*after].controls[parameter].kind);
+  if (has_slopes(segment.kind) || (segment.kind == KeyKind::smooth && end_has_slopes)) return value;
   // Rounding alone could leave the keys' span, and with it the parameter's range.
   return std::clamp(value, std::min(segment.from, segment.to), std::max(segment.from, segment.to));
 }

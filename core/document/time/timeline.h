@@ -35,20 +35,25 @@ class SharedPose {
 
 /// How a control goes on from a key to its next one.
 enum class KeyKind : std::uint8_t {
-  smooth,    ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
-  linear,    ///< straight
-  stepped,   ///< holds its value up to the next key
-  ease_in,   ///< starts slowly: a square of time
-  ease_out,  ///< arrives slowly: a square of time
-  ease,      ///< both: a cubic with flat ends
-  free,      ///< cubic Hermite with the slopes that the key has
-  none,      ///< no key of this control here
+  smooth,     ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
+  linear,     ///< straight
+  stepped,    ///< holds its value up to the next key
+  ease_in,    ///< starts slowly: a square of time
+  ease_out,   ///< arrives slowly: a square of time
+  ease,       ///< both: a cubic with flat ends
+  free,       ///< cubic Hermite with the slopes that the key has, within the control's range
+  overshoot,  ///< as free, and the curve may leave the control's range
+  none,       ///< no key of this control here
 };
+
+/// Whether a key of that kind has slopes of its own.
+[[nodiscard]] constexpr bool has_slopes(KeyKind kind) { return kind == KeyKind::free || kind == KeyKind::overshoot; }
 
 /// The key of one control.
 struct ControlKey {
   KeyKind kind = KeyKind::smooth;
-  // Slopes of a free key, in units of the control a second: of what leads to the key, and of what leaves it.
+  // Slopes of a free or overshooting key, in units of the control a second: of what leads to the key, and of what
+  // leaves it.
   double in = 0;
   double out = 0;
   friend bool operator==(const ControlKey&, const ControlKey&) = default;
@@ -109,10 +114,11 @@ struct KeySegment {
   double from = 0, to = 0;              ///< values
   double slope_from = 0, slope_to = 0;  ///< units a second
   KeyKind kind = KeyKind::smooth;       ///< of the key before
+  bool overshoots = false;              ///< it may leave the control's range
 };
 [[nodiscard]] double value_at(const KeySegment& segment, double time_s);
 [[nodiscard]] double slope_at(const KeySegment& segment, double time_s);
-/// By how much a control may leave the values of its two keys: the least and the greatest value of the segment.
+/// The least and the greatest value of the segment.
 [[nodiscard]] std::pair<double, double> extremes(const KeySegment& segment);
 
 /// The last key of a control at or before that place in the list, and the first at or after it.

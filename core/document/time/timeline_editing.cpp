@@ -31,6 +31,9 @@ double share_within(const KeySegment& segment, bool from_free, bool to_free, con
   return share;
 }
 
+/// Of a key that takes the place of a segment's part.
+KeyKind free_as(const KeySegment& segment) { return segment.overshoots ? KeyKind::overshoot : KeyKind::free; }
+
 /// All keys of one control after another.
 void settle_control(Timeline& timeline, std::size_t parameter, const rig::Parameter& range,
                     std::vector<rig::Pose>& poses, std::vector<std::vector<ControlKey>>& controls) {
@@ -45,16 +48,18 @@ void settle_control(Timeline& timeline, std::size_t parameter, const rig::Parame
       fill(0, k, held(k));
     } else {
       KeySegment segment = segment_of(timeline, parameter, *before, k);
-      const bool curved = segment.kind == KeyKind::smooth || segment.kind == KeyKind::free;
-      const bool from_free = segment.kind == KeyKind::free;
-      const bool to_free = curved && timeline.keys[k].controls[parameter].kind == KeyKind::free;
-      if (from_free || to_free) {
+      const bool from_free = has_slopes(segment.kind);
+      const bool curved = segment.kind == KeyKind::smooth || from_free;
+      const bool to_free = curved && has_slopes(timeline.keys[k].controls[parameter].kind);
+      if ((from_free || to_free) && !segment.overshoots) {
         const double share = share_within(segment, from_free, to_free, range);
         if (from_free) controls[*before][parameter].out = segment.slope_from *= share;
         if (to_free) controls[k][parameter].in = segment.slope_to *= share;
       }
-      fill(*before + 1, k,
-           [&](double time_s) { return std::clamp(value_at(segment, time_s), range.minimum, range.maximum); });
+      fill(*before + 1, k, [&](double time_s) {
+        const double value = value_at(segment, time_s);
+        return segment.overshoots ? value : std::clamp(value, range.minimum, range.maximum);
+      });
     }
     before = k;
   }
@@ -126,7 +131,8 @@ TimelineEditing::Moment& TimelineEditing::open(double time_s) {
 
 void TimelineEditing::set(double time_s, std::size_t parameter, double value, const ControlKey& key) {
   Moment& moment = open(time_s);
-  moment.pose[parameter] = value;
+  const rig::Parameter& range = parameters_[parameter];
+  moment.pose[parameter] = key.kind == KeyKind::overshoot ? value : std::clamp(value, range.minimum, range.maximum);
   moment.controls[parameter] = key;
 }
 
@@ -160,12 +166,15 @@ void TimelineEditing::open_span(std::size_t parameter, double from_s, double to_
   ControlKey from{KeyKind::free, 0, 0};
   ControlKey to{KeyKind::free, 0, 0};
   if (first && before_.keys[*first].controls.has(parameter)) {
-    from.in = with_slopes(before_, *first, parameter).in;
+    const ControlKey key = with_slopes(before_, *first, parameter);
+    from.in = key.in;
+    if (key.kind == KeyKind::overshoot) from.kind = key.kind;
   } else if (const auto cut = cut_at(from_s)) {
     from.in = slope_at_cut(cut, from_s);
+    from.kind = free_as(cut->segment);
     if (curved(cut->segment.kind)) {
       const double in = with_slopes(before_, cut->before, parameter).in;
-      set(cut->segment.from_s, parameter, cut->segment.from, {KeyKind::free, in, cut->segment.slope_from});
+      set(cut->segment.from_s, parameter, cut->segment.from, {free_as(cut->segment), in, cut->segment.slope_from});
     }
   }
   if (last && before_.keys[*last].controls.has(parameter)) {
@@ -173,10 +182,10 @@ void TimelineEditing::open_span(std::size_t parameter, double from_s, double to_
     if (to.kind == KeyKind::smooth) to.kind = KeyKind::free;
   } else if (const auto cut = cut_at(to_s)) {
     to.out = slope_at_cut(cut, to_s);
-    if (!curved(cut->segment.kind)) to.kind = cut->segment.kind;
+    to.kind = curved(cut->segment.kind) ? free_as(cut->segment) : cut->segment.kind;
     const ControlKey end = with_slopes(before_, cut->after, parameter);
     if (curved(cut->segment.kind) && end.kind == KeyKind::smooth)
-      set(cut->segment.to_s, parameter, cut->segment.to, {KeyKind::free, cut->segment.slope_to, end.out});
+      set(cut->segment.to_s, parameter, cut->segment.to, {free_as(cut->segment), cut->segment.slope_to, end.out});
   }
   const double from_value = value(from_s);
   const double to_value = value(to_s);
@@ -206,22 +215,24 @@ void TimelineEditing::cut(std::size_t parameter, double time_s) {
   }
   const double slope = document::slope_at(segment, time_s);
   const ControlKey from = with_slopes(before_, *before, parameter);
-  set(segment.from_s, parameter, segment.from, {KeyKind::free, from.in, document::slope_at(segment, segment.from_s)});
-  set(time_s, parameter, value, {KeyKind::free, slope, slope});
+  const KeyKind kind = free_as(segment);
+  set(segment.from_s, parameter, segment.from, {kind, from.in, document::slope_at(segment, segment.from_s)});
+  set(time_s, parameter, value, {kind, slope, slope});
   // Only free keys end a curve with a slope of their own; one that becomes free needs another at the end of its own
   // curve.
   for (auto at = after; at; at = key_after(before_, parameter, *at + 1)) {
     const PoseKey& key = before_.keys[*at];
     const ControlKey slopes = with_slopes(before_, *at, parameter);
     if (slopes.kind == KeyKind::stepped) break;
-    set(key.time_s, parameter, key.pose[parameter], {KeyKind::free, slopes.in, slopes.out});
-    if (slopes.kind == KeyKind::smooth || slopes.kind == KeyKind::free) break;
+    const KeyKind as = slopes.kind == KeyKind::overshoot ? slopes.kind : KeyKind::free;
+    set(key.time_s, parameter, key.pose[parameter], {as, slopes.in, slopes.out});
+    if (slopes.kind == KeyKind::smooth || has_slopes(slopes.kind)) break;
   }
 }
 
 void TimelineEditing::bend(double time_s, std::size_t parameter, double value, double slope, bool before, bool after) {
   ControlKey key = open(time_s).controls[parameter];
-  if (key.kind == KeyKind::none || after) key.kind = KeyKind::free;
+  if (key.kind == KeyKind::none || (after && key.kind != KeyKind::overshoot)) key.kind = KeyKind::free;
   if (before) key.in = slope;
   if (after) key.out = slope;
   set(time_s, parameter, value, key);

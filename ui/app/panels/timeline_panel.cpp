@@ -178,14 +178,15 @@ void show_rate(PanelContext& context, const TimelineOwners& with, float width) {
   ImGui::EndPopup();
 }
 
-constexpr std::array<std::pair<document::KeyKind, const char*>, 7> k_kind_names{
+constexpr std::array<std::pair<document::KeyKind, const char*>, 8> k_kind_names{
     {{document::KeyKind::smooth, "Smooth"},
      {document::KeyKind::linear, "Linear"},
      {document::KeyKind::stepped, "Stepped"},
      {document::KeyKind::ease_in, "Ease in"},
      {document::KeyKind::ease_out, "Ease out"},
      {document::KeyKind::ease, "Ease"},
-     {document::KeyKind::free, "Free"}}};
+     {document::KeyKind::free, "Free"},
+     {document::KeyKind::overshoot, "Overshoot"}}};
 
 /// How controls go on from the keys that are meant.
 void show_kinds(PanelContext& context, const TimelineOwners& with, float width) {

@@ -175,9 +175,9 @@ Changed run(const Document& document, const SetKeyKind& command, Parts&) {
   for (const KeyPlace& one : *places) {
     const PoseKey& key = document.timeline->keys[one.place];
     ControlKey control{command.kind, 0, 0};
-    if (command.kind == KeyKind::free) {
+    if (has_slopes(command.kind)) {
       control = with_slopes(*document.timeline, one.place, one.parameter);
-      control.kind = KeyKind::free;
+      control.kind = command.kind;
     }
     keys.set(key.time_s, one.parameter, key.pose[one.parameter], control);
   }
@@ -208,7 +208,8 @@ Changed run(const Document& document, const SetKeySlopes& command, Parts&) {
   TimelineEditing keys = edit(document);
   const PoseKey& key = document.timeline->keys[places->front().place];
   const std::size_t p = places->front().parameter;
-  keys.set(key.time_s, p, key.pose[p], {KeyKind::free, command.in, command.out});
+  const KeyKind kind = key.controls[p].kind == KeyKind::overshoot ? KeyKind::overshoot : KeyKind::free;
+  keys.set(key.time_s, p, key.pose[p], {kind, command.in, command.out});
   return with_timeline(document, std::move(keys).finish());
 }
 

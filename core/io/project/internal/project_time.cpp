@@ -31,9 +31,9 @@ std::optional<ControlKey> read_control(const json::Json& value, std::size_t para
   parameter = static_cast<std::size_t>(*number);
   if (!value[1].is_string()) return std::nullopt;
   const auto kind = document::TextForm<KeyKind>::read(value[1].get<std::string>());
-  if (!kind || *kind == KeyKind::none || (*kind == KeyKind::free) != (value.size() == 4)) return std::nullopt;
+  if (!kind || *kind == KeyKind::none || document::has_slopes(*kind) != (value.size() == 4)) return std::nullopt;
   ControlKey key{*kind, 0, 0};
-  if (*kind != KeyKind::free) return key;
+  if (!document::has_slopes(*kind)) return key;
   const auto in = json::number(value[2]);
   const auto out = json::number(value[3]);
   if (!in || !out || !(std::abs(*in) <= k_steepest_slope && std::abs(*out) <= k_steepest_slope)) return std::nullopt;
@@ -52,7 +52,7 @@ Problem read_controls(const json::Json& key, const std::string& pointer, std::si
     std::size_t parameter = 0;
     const auto control = read_control((*value)[i], parameters, parameter);
     if (!control)
-      return project_error("the number of a control, a kind and the slopes of a free one were expected",
+      return project_error("the number of a control, a kind and the slopes of a free or overshooting one were expected",
                            json::child(here, i));
     list[parameter] = *control;
   }
@@ -68,7 +68,7 @@ json::Json controls_to_json(const document::PoseKey& key) {
     std::string kind;
     document::TextForm<KeyKind>::write(kind, control.kind);
     json::Json one = json::Json::array({i, kind});
-    if (control.kind == KeyKind::free) {
+    if (document::has_slopes(control.kind)) {
       one.push_back(control.in);
       one.push_back(control.out);
     }
@@ -104,6 +104,7 @@ Problem read_keys(const json::Json& value, const std::string& here, std::span<co
     }
     if (auto problem = read_controls((*keys)[i], at, parameters.size(), key.controls)) return problem;
     for (std::size_t p = 0; p < parameters.size(); ++p) {
+      if (key.controls[p].kind == KeyKind::overshoot) continue;
       values[p] = std::clamp(values[p], parameters[p].minimum, parameters[p].maximum);
     }
     key.pose = std::move(values);

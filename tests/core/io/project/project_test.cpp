@@ -57,6 +57,8 @@ DocumentHand full_hand() {
   hand.does(SetKey{2, "smile \"x\""});
   hand.does(SetKeyKind{{{0.1}, {}}, KeyKind::linear});
   hand.does(SetKeySlopes{2, "lift", -0.1, 0.2});
+  hand.does(SetKeyKind{{{2}, {"up"}}, KeyKind::overshoot});
+  hand.does(SetKeySlopes{2, "up", 5, 1});
   hand.does(SetSound{"sounds/talk \xc3\xa9.wav", {0x123456789abcdef0U, 0xfU}, -1.0 / 3});
   hand.does(SetMouth{"open", {{"up", 0.25}, {"lift", 1.0 / 3}}});
   hand.does(SetMouth{"rest", {}});

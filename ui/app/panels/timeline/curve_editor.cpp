@@ -68,11 +68,11 @@ std::vector<Handle> handles_of(const TimelineOwners& with, const Graph& graph) {
     };
     if (before) {
       const auto segment = document::segment_of(timeline, control, *before, *place);
-      if (segment.kind == document::KeyKind::smooth || segment.kind == document::KeyKind::free)
+      if (segment.kind == document::KeyKind::smooth || document::has_slopes(segment.kind))
         add(true, segment.from_s, segment.slope_to);
     }
     const document::KeyKind kind = timeline.keys[*place].controls[control].kind;
-    if (after && (kind == document::KeyKind::smooth || kind == document::KeyKind::free))
+    if (after && (kind == document::KeyKind::smooth || document::has_slopes(kind)))
       add(false, timeline.keys[*after].time_s, document::segment_of(timeline, control, *place, *after).slope_from);
   }
   return handles;

@@ -205,6 +205,24 @@ TEST(ApplyTimeline, AKeyThatBecomesFreeKeepsItsCurve) {
   EXPECT_EQ(hand.refuses(SetKeyValues{lift_at({1}), {}}).place, "values");
 }
 
+TEST(ApplyTimeline, OnlyAKeyThatIsAskedToOvershootLeavesTheRange) {
+  DocumentHand hand;
+  for (const double time_s : {0.0, 1.0, 2.0}) key(hand, time_s, 0.9);
+  const auto lift = [&](double time_s) { return hand.does(GoToTime{time_s}), hand.value("lift"); };
+  hand.does(SetKeySlopes{1, "lift", 2, 2});
+  EXPECT_LE(lift(1.3), 1) << "a free one stays in it";
+  hand.does(SetKeyKind{lift_at({1}), KeyKind::overshoot});
+  hand.does(SetKeySlopes{1, "lift", 2, 2});
+  EXPECT_NEAR(lift(1.3), 0.9 + 2 * 0.3 * 0.7 * 0.7, 1e-12);
+  EXPECT_NEAR(lift(0.7), 0.9 - 2 * 0.3 * 0.7 * 0.7, 1e-12) << "on both sides";
+  EXPECT_EQ(hand.refuses(SetKeyValues{lift_at({1}), {1.01}}).place, "values") << "keys stay in it";
+  lift(1.3);
+  hand.does(SetKey{1.3, "", {}});
+  EXPECT_EQ(lift(1.3), 1) << "and a new key is set at its end";
+  hand.does(SetKeyKind{lift_at({1}), KeyKind::free});
+  EXPECT_LE(lift(1.1), 1);
+}
+
 TEST(ApplyTimeline, ABreakdownStandsBetweenItsNeighbours) {
   DocumentHand hand;
   key(hand, 1, 0.2);

@@ -185,7 +185,7 @@ class KnowingHand {
     return command;
   }
   document::Command make(Tag<document::SetKeyKind>) {
-    return document::SetKeyKind{some_keys(), static_cast<document::KeyKind>(random_.below(7))};
+    return document::SetKeyKind{some_keys(), static_cast<document::KeyKind>(random_.below(8))};
   }
   document::Command make(Tag<document::SetKeyValues>) {
     document::SetKeyValues command{one_key(), {}};
