@@ -83,11 +83,25 @@ bool is_plain(const Document& document) {
          !document.spoken && document.clips.empty();
 }
 
+namespace {
+
+bool overshoots(const Timeline& timeline, std::size_t parameter, double time_s) {
+  const std::size_t place = first_from(timeline, time_s);
+  const auto after = key_after(timeline, parameter, place);
+  const auto before = place > 0 ? key_before(timeline, parameter, place - 1) : std::nullopt;
+  if (after && timeline.keys[*after].controls[parameter].kind == KeyKind::overshoot) return true;
+  return before && after && segment_of(timeline, parameter, *before, *after).overshoots;
+}
+
+}  // namespace
+
 rig::Pose pose_at(const Document& document, double time_s) {
   rig::Pose pose = sample(*document.timeline, time_s, document.pose);
   const auto parameters = document.model->rig->parameters();
   for (std::size_t i = 0; i < pose.size(); ++i) {
-    pose[i] = std::clamp(pose[i], parameters[i].minimum, parameters[i].maximum);
+    const double within = std::clamp(pose[i], parameters[i].minimum, parameters[i].maximum);
+    // Rounding alone leaves the range elsewhere.
+    if (within != pose[i] && !overshoots(*document.timeline, i, time_s)) pose[i] = within;
   }
   return pose;
 }

@@ -152,10 +152,7 @@ base::Result<Model> model_at(const Model& model, const AnimationSample& moment) 
   }
   // Weights are the first parameters: blend shapes, then deformers.
   if (moment.weights.size() != weight_count(model)) return posed;
-  for (std::size_t i = 0; i < moment.weights.size(); ++i) {
-    const rig::Parameter& parameter = model.rig->parameters()[i];
-    posed.pose[i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);
-  }
+  std::copy(moment.weights.begin(), moment.weights.end(), posed.pose.begin());
   return posed;
 }
 

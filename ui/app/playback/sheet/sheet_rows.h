@@ -19,7 +19,8 @@ struct SheetRow {
   std::vector<std::size_t> controls;  ///< one; of a group all that are in it
 };
 
-/// The rows of a document's keys: groups by the part of the face, and below each its controls unless it is folded.
+/// The rows of a document's keys: groups by the part of the face, and joints by
+/// their limb, which is named by its first joint. Below each its controls unless it is folded.
 /// Listed are controls with a key, unless they rest in all of them; `all`: those too. `parts`: one a parameter.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<const FacePart> parts,
                                                const std::set<std::string>& folded, bool all);

@@ -92,6 +92,7 @@ TEST(OverlapOffer, ALeaderIsFollowed) {
   values.leader = desk.number("jaw");
   values.amount = 0.5;
   desk.offer().set(values);
+  desk.frames();
   desk.click("Bake##overlap");
   const auto parameters = desk.document().model->rig->parameters();
   const auto& brow = parameters[desk.number("brow_inner_L")];
