@@ -175,7 +175,7 @@ def use(program, screen, folder):
     project = os.path.join(folder, "head.glb")
     # The dialog's own button, found as a user finds it: it is in the middle of the window.
     screen.key("ctrl+s")
-    screen.click(417, 562)
+    screen.click(330, 586)
     wait_for("the project", lambda: os.path.exists(project))
     screen.picture("7_saved")
     quit_window(screen, process)
