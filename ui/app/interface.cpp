@@ -187,6 +187,9 @@ void Interface::frame(double passed_s) {
   menu_open_ = context.menu_open;
   fields_ = std::move(context.fields);
   tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
+  // ImGui shows a window that fits its text one frame after it is made.
+  const bool tip_shows = context.tip_waits && context.tip_due;
+  if (std::exchange(tip_shows_, tip_shows) != tip_shows) disturb();
   has_field_ = context.has_field;
   dialog_area_ = context.dialog_area;
   drag_scroll_.set_areas(std::move(menu_open_ ? context.menu_scrolls : context.scrolls));

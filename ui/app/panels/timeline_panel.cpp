@@ -17,6 +17,7 @@
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/time_actions.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_guide.h"
@@ -178,32 +179,22 @@ void show_rate(PanelContext& context, const TimelineOwners& with, float width) {
   ImGui::EndPopup();
 }
 
-constexpr std::array<std::pair<document::KeyKind, const char*>, 8> k_kind_names{
-    {{document::KeyKind::smooth, "Smooth"},
-     {document::KeyKind::linear, "Linear"},
-     {document::KeyKind::stepped, "Stepped"},
-     {document::KeyKind::ease_in, "Ease in"},
-     {document::KeyKind::ease_out, "Ease out"},
-     {document::KeyKind::ease, "Ease"},
-     {document::KeyKind::free, "Free"},
-     {document::KeyKind::overshoot, "Overshoot"}}};
-
 /// How controls go on from the keys that are meant.
 void show_kinds(PanelContext& context, const TimelineOwners& with, float width) {
   const auto now = with.keys.kind();
   std::string label = "Mixed";
-  for (const auto& [kind, name] : k_kind_names) {
-    if (now == kind) label = name;
+  for (const KeyKindInfo& one : key_kinds()) {
+    if (now == one.kind) label = one.name;
   }
-  if (!now && !with.keys.any_meant()) label = "Smooth";
+  if (!now && with.editing.document().timeline->keys.empty()) label = "Smooth";
   label += "##kind";
-  if (wide_button(context, label.c_str(), width, false, "How poses go on from the selected keys, else from those here"))
-    ImGui::OpenPopup("kinds");
+  const char* tip = "How the face goes to the next key: from the key here, or before, or from those that are selected";
+  if (wide_button(context, label.c_str(), width, false, tip)) ImGui::OpenPopup("kinds");
   if (!begin_menu(context, "kinds")) return;
-  for (const auto& [kind, name] : k_kind_names) {
-    const std::string one = std::string(name) + "##choose kind";
-    if (!wide_button(context, one.c_str(), 4 * context.unit, now == kind)) continue;
-    with.keys.set_kind(kind);
+  for (const KeyKindInfo& one : key_kinds()) {
+    const std::string entry = std::string(one.name) + "##choose kind";
+    if (!wide_button(context, entry.c_str(), 4 * context.unit, now == one.kind, one.tip)) continue;
+    with.keys.set_kind(one.kind);
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
@@ -273,7 +264,9 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
     clips.does = [&] { context.actions.run(Action{"clips"}); };
     row.add(std::move(clips));
   }
-  row.add(Action::key_pose);
+  // A pose that the timeline does not have is lost where one goes on without it.
+  const document::Document& now = with.editing.document();
+  row.add(Action::key_pose, !timeline.keys.empty() && !(now.pose == document::pose_at(now, now.time_s)));
   row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
@@ -299,11 +292,11 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
     row.add(std::move(button));
   };
   const bool part = with.shown().span_s > 0;
-  view("-##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
-  view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
+  view("Zoom out##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
+  view("Zoom in##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
        [&with] { zoom_track(with, 1 / 1.6); });
-  view("<##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
-  view(">##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
+  view("Back##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
+  view("On##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, true, false);
   row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);

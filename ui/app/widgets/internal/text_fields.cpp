@@ -88,7 +88,9 @@ bool text_field(PanelContext& context, const char* label, std::string& text, flo
                 bool* accepted) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(width);
-  const bool changed = ImGui::InputTextWithHint(label, hint, &text);
+  // A value is typed over as a whole.
+  const ImGuiInputTextFlags flags = accepted != nullptr ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+  const bool changed = ImGui::InputTextWithHint(label, hint, &text, flags);
   note_field(context, label);
   if (accepted != nullptr) {
     *accepted = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
