@@ -218,6 +218,7 @@ void Interface::show_all(PanelContext& context) {
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
+  if (app_.of<GhostHand>().last() != nullptr) bottom += 0.5 * unit + gap;
   if (most < bottom) {
     bottom = unit + 2 * gap;
   } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {

@@ -9,8 +9,8 @@ namespace penpose::io {
 /// What a project has beyond its model, the member "project" of the root's extras:
 ///
 /// {"curves": [{"id", "role": "reference"|"constraint", "points": [[triangle, b0, b1, b2], ...], "kept": [[x, y, z],
-/// ...], "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}], "last_curve",
-/// "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
+/// ...], "time_s", "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}],
+/// "last_curve", "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
 /// {"keys": [{"time_s", "pose": [value, ...], "name" (if it has one), "controls": [[parameter, kind, in, out], ...]
 /// (those that have a key, in, out only where the kind is "free" or "overshoot"; where all are smooth there is no
 /// list)}]}, "views":

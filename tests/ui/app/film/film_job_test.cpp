@@ -191,7 +191,7 @@ TEST_F(FilmDesk, APlayblastWithoutAProjectGoesWhereTheUserKeepsFilms) {
   EXPECT_EQ(files_in(desk_.path("Films here/head-playblast")), 2U);
 }
 
-TEST_F(FilmDesk, EscapeGivesUpAndLeavesNothing) {
+TEST_F(FilmDesk, CancelGivesUpAndLeavesNothing) {
   desk_.click("Key");
   desk_.app->of<Playback>().go_to(400);
   desk_.click("Key");
