@@ -20,6 +20,7 @@
 #include "ui/app/playback/time_actions.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/sound/sound_strip.h"
+#include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -316,7 +317,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
                    Dialogs& dialogs, PanelState& panels, SoundTrack& sound, FirstPass& pass, OverlapOffer& overlap,
-                   GhostHand& ghosts) {
+                   GhostHand& ghosts, ToolInHand& tool) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
@@ -327,7 +328,7 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
           with.shown().all_rows = !with.shown().all_rows;
       });
       show_ruler(context, with);
-      show_ghost_reach(context, with);
+      if (tool.now().shows_ghosts) show_ghost_reach(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
