@@ -70,7 +70,8 @@ void show_ruler(PanelContext& context, const TimelineOwners& with) {
     list.AddLine({x, strip.from.y + (numbered ? 0.55F : 0.8F) * strip.size.y}, {x, strip.to().y}, faint);
     if (!numbered) continue;
     const std::string number = std::to_string(frame);
-    list.AddText({x + 3, strip.from.y + 2}, faint, number.c_str());
+    const float left = x - 0.5F * ImGui::CalcTextSize(number.c_str()).x;
+    list.AddText({std::max(left, strip.from.x + 1), strip.from.y + 2}, faint, number.c_str());
   }
   // Where a tour asks to go.
   if (const auto asked = with.tour.active() ? with.tour.asked_time() : std::nullopt) {

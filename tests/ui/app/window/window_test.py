@@ -258,7 +258,7 @@ def pen_alone(program, screen, folder, session):
     pen.tap(459, 694)  # Key
     pen.tap(34, 23)  # Menu
     pen.tap(168, 151)  # Save
-    pen.tap(417, 562)  # the button of that name
+    pen.tap(330, 586)  # the button of that name
     trace = os.path.join(folder, "alone.hid")
     with open(trace, "w") as out:
         out.writelines(pen.lines)
