@@ -26,7 +26,8 @@ class Falloff {
  public:
   Falloff(const Patch& patch, const DrawnRegions& drawn);
 
-  /// Nodes of the patch that lie inside the region of specific interest; 1 a node.
+  /// Nodes of the patch that lie inside the region of specific interest; 1 a node. A smaller piece of it is left out
+  /// that lies next to the largest and far from it over the surface, such as the rim of the other lip.
   [[nodiscard]] std::span<const std::uint8_t> specific() const { return specific_; }
   /// Where the region of specific interest extends beyond that of general interest on the model, as seen from the
   /// middle of its part inside ("on its left"); empty where it does not.
@@ -41,6 +42,7 @@ class Falloff {
                                             std::span<const double> to_curve) const;
 
  private:
+  void drop_rims();
   void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);
   [[nodiscard]] std::vector<double> blended(std::span<const double> to_core, std::span<const std::uint8_t> core) const;
 
