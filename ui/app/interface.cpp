@@ -219,7 +219,7 @@ void Interface::show_all(PanelContext& context) {
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
   // There is room for the bar before it is there, so that the model stays where it is.
-  if (app_.of<ToolInHand>().now().shows_ghosts) bottom += 0.5 * unit + gap;
+  if (app_.of<ToolInHand>().now().shows_ghosts) bottom += 0.6 * unit + gap;
   if (most < bottom) {
     bottom = unit + 2 * gap;
   } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {

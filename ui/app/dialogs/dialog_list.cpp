@@ -29,7 +29,7 @@ void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&,
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&,
                              const SystemDialogs&, Dialogs&, PanelState&, PoseShelf&);
 void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
-void show_sound_dialog(PanelContext&, SoundTrack&, Files&, Preferences&, Dialogs&);
+void show_sound_dialog(PanelContext&, EditingSession&, SoundTrack&, Files&, Preferences&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
                             Dialogs&);

@@ -101,13 +101,15 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
   end_dialog();
 }
 
-void show_sound_dialog(PanelContext& context, SoundTrack& track, Files& files, Preferences& preferences,
-                       Dialogs& dialogs) {
+void show_sound_dialog(PanelContext& context, EditingSession& editing, SoundTrack& track, Files& files,
+                       Preferences& preferences, Dialogs& dialogs) {
   const Owners with{files, preferences, dialogs};
   if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
-    const std::string chosen = browse(context, with, {sound_kinds(), 8, track.sound() != nullptr ? 2.0F : 1.0F});
-    if (track.sound() != nullptr && wide_button(context, "Take the sound away")) {
+    // Also one whose file is gone.
+    const bool has = editing.document().sound != nullptr;
+    const std::string chosen = browse(context, with, {sound_kinds(), 8, has ? 2.0F : 1.0F});
+    if (has && wide_button(context, "Take the sound away")) {
       track.remove();
       dialogs.close();
     }

@@ -125,11 +125,18 @@ void choose_frames(PanelContext& context, FilmEntry& entry) {
 /// What will be written, and what stands in its way.
 std::string words_of(const FilmEntry& entry, const FilmWriter& film, int rate, bool has_sound) {
   const auto [first, last] = film.frames_of(entry.range);
+  if (entry.kind == FilmKind::sheet) {
+    const auto size = film.size_of(entry);
+    const std::string which = !entry.every        ? "The keyed frames"
+                              : *entry.every == 1 ? "All frames"
+                                                  : "One frame of " + std::to_string(*entry.every);
+    return which + " from " + std::to_string(first) + " to " + std::to_string(last) + ", each " +
+           std::to_string(size.width) + " x " + std::to_string(size.height);
+  }
   char text[160];
   std::snprintf(text, sizeof text, "Frames %d to %d at %d a second (%.2f s), seen as now", first, last, rate,
                 static_cast<double>(last - first + 1) / rate);
   std::string words(text);
-  if (entry.kind == FilmKind::sheet) return words;
   const bool sounds = film::row_of(entry.kind).sounds;
   if (sounds && film.lacks_sound()) return words + ". The sound cannot be opened: without it";
   if (has_sound) words += sounds ? ", with the sound" : ", without the sound";
@@ -174,12 +181,15 @@ void show_film_dialog(PanelContext& context, EditingSession& editing, Playback& 
       ImGui::TextWrapped("Nothing is keyed yet");
     } else if (asked) {
       ImGui::TextWrapped("%s is there already", fs::path(first).filename().c_str());
+    } else if (film.writes()) {
+      ImGui::TextWrapped("A film is being written: wait until it is done, or cancel it");
     } else {
       const bool has_sound = editing.document().sound != nullptr;
-      ImGui::TextWrapped("%s, into %s", words_of(entry, film, playback.rate(), has_sound).c_str(),
-                         choice.folder.c_str());
+      const fs::path folder = fs::path(path).parent_path();
+      ImGui::TextWrapped("%s, into %s%s", words_of(entry, film, playback.rate(), has_sound).c_str(), folder.c_str(),
+                         fs::exists(folder, code) ? "" : ", a new folder");
     }
-    const bool can = keyed && !choice.name.empty() && !lacks_program;
+    const bool can = keyed && !choice.name.empty() && !lacks_program && !film.writes();
     ImGui::BeginDisabled(!can);
     const char* label = asked ? "Write over it##film" : "Write##film";
     const bool pressed = wide_button(context, label, 4 * context.unit) || (context.accepts && can);

@@ -121,7 +121,9 @@ bool show_missing(PanelContext& context, const PassOwners& with) {
     return false;
   }
   if (with.entry.way != Way::cues && with.track.sound() == nullptr) {
-    ImGui::TextWrapped("%s", "There is no sound beside the timeline yet.");
+    const auto sound = with.editing.document().sound;
+    ImGui::TextWrapped("%s", sound == nullptr ? "There is no sound beside the timeline yet."
+                                              : ("The file of the sound is gone: " + sound->file).c_str());
     if (wide_button(context, "Open a sound")) {
       with.entry.wants_sound = true;
       with.dialogs.show(Dialog::sound);

@@ -23,6 +23,12 @@ int frame_at(double time_s, int rate) { return static_cast<int>(std::lround(fram
 
 }  // namespace
 
+geometry::Viewport FilmWriter::size_of(const FilmEntry& entry) const {
+  const geometry::Viewport size = entry.size.value_or(film_size(with_.canvas.free_area()));
+  if (entry.kind != film::FilmKind::sheet) return size;
+  return {size.width / k_sheet_share, size.height / k_sheet_share};
+}
+
 std::pair<int, int> FilmWriter::frames_of(FilmRange range) const {
   const Playback& playback = with_.playback;
   const auto& keys = with_.editing.document().timeline->keys;
@@ -46,9 +52,7 @@ bool FilmWriter::write(const std::string& path, const FilmEntry& entry) {
   order.kind = entry.kind;
   order.output = path;
   const Canvas& canvas = with_.canvas;
-  geometry::Viewport size = entry.size.value_or(film_size(canvas.free_area()));
-  if (entry.kind == film::FilmKind::sheet) size = {size.width / k_sheet_share, size.height / k_sheet_share};
-  order.view = film_view(canvas.view().camera, canvas.window(), canvas.free_area(), size);
+  order.view = film_view(canvas.view().camera, canvas.window(), canvas.free_area(), size_of(entry));
   order.rate = with_.playback.rate();
   std::tie(order.from, order.to) = frames_of(entry.range);
   order.every = entry.every;

@@ -38,6 +38,8 @@ class FilmWriter {
 
   /// The first and the last frame of a range.
   [[nodiscard]] std::pair<int, int> frames_of(FilmRange range) const;
+  /// How large a picture of it is, px; on a sheet each of its pictures.
+  [[nodiscard]] geometry::Viewport size_of(const FilmEntry& entry) const;
   /// The document has a sound that cannot be opened: films are silent.
   [[nodiscard]] bool lacks_sound() const;
 

@@ -190,7 +190,7 @@ int slots_across(const PanelContext& context, float room, float height) {
 void show_slots(PanelContext& context, const MouthOwners& with, float height) {
   begin_list(context, "mouths", {0, height});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x;
+  const float room = ImGui::GetWindowWidth() - 2 * ImGui::GetCursorStartPos().x - ImGui::GetStyle().ScrollbarSize;
   const int across = slots_across(context, room, height);
   const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
   int column = 0;

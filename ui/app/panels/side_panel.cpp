@@ -189,7 +189,7 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
 void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
                      Controls& controls, Playback& playback, Notices& notices, KeptMouths& mouths, Dialogs& dialogs,
                      PanelState& panels, PoseShelf& shelf) {
-  if (begin_panel(context, "side", area)) {
+  if (begin_panel(context, "side", area, true)) {
     if (panels.controls_tab) panels.poses_tab = panels.mouths_tab = false;
     const bool parameters = !panels.controls_tab && !panels.pictured();
     struct Tab {

@@ -32,7 +32,7 @@ namespace {
 /// Frames from one number to the next, so that numbers have room.
 int frames_apart(const Strip& strip, int rate, float room) {
   const double px = static_cast<double>(strip.width()) / (strip.shown.span * rate);
-  for (const int frames : {1, 2, 5, 10, rate, 2 * rate, 5 * rate, 10 * rate, 60 * rate, 600 * rate}) {
+  for (const int frames : {1, 2, 5, 10, rate, 2 * rate, 3 * rate, 5 * rate, 10 * rate, 60 * rate, 600 * rate}) {
     if (px * frames >= static_cast<double>(room)) return frames;
   }
   return 3600 * rate;
@@ -70,7 +70,8 @@ void show_ruler(PanelContext& context, const TimelineOwners& with) {
     list.AddLine({x, strip.from.y + (numbered ? 0.55F : 0.8F) * strip.size.y}, {x, strip.to().y}, faint);
     if (!numbered) continue;
     const std::string number = std::to_string(frame);
-    const float left = x - 0.5F * ImGui::CalcTextSize(number.c_str()).x;
+    const float wide = ImGui::CalcTextSize(number.c_str()).x;
+    const float left = std::min(x - 0.5F * wide, strip.to().x - wide - 1);
     list.AddText({std::max(left, strip.from.x + 1), strip.from.y + 2}, faint, number.c_str());
   }
   // Where a tour asks to go.

@@ -36,7 +36,11 @@ void show_hand_button(PanelContext& context, const Owners& with) {
 void show_toolbar(PanelContext& context, const Area& area, EditingSession& editing, SuggestionOffer& offer,
                   ToolInHand& tool) {
   const Owners with{editing};
-  if (begin_panel(context, "tools", area, true)) {
+  // A thin bar: the pen drags the tools themselves, and their names need the room.
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.gap);
+  const bool shown = begin_panel(context, "tools", area, true);
+  ImGui::PopStyleVar();
+  if (shown) {
     for (const WindowTool& one : window_tools()) {
       if (one.button.label.empty()) continue;
       if (one.stands_apart) ImGui::Dummy({1, context.gap});

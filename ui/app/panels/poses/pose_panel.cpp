@@ -100,10 +100,7 @@ void show_expressions(PanelContext& context, const Owners& with) {
 
 void show_pictures(PanelContext& context, const Owners& with, float height) {
   begin_list(context, "pictures", {0, height});
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x;
-  const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
-  const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
+  const auto [across, width] = picture_row(context, 4.0F * context.unit, height);
   const auto held = with.editing.document().timeline;
   int column = 0;
   for (const std::size_t k : keys_shown(*held)) {

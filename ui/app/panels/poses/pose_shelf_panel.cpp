@@ -67,6 +67,11 @@ bool show_file(PanelContext& context, const Shelf& with, const files::PoseFile& 
     const std::string of_file = file.path + " " + std::to_string(with.poses.readings()) + " " + std::to_string(part);
     const auto& png = file.pose->pictures[part];
     const auto place = png.empty() ? std::nullopt : context.pictures.place_of(of_file, png);
+    if (png.empty()) {
+      const std::string none = fitted_text("no picture", width - 2 * context.gap);
+      list.AddText({from.x + context.gap, from.y + 0.4F * width}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                   none.c_str());
+    }
     if (place)
       list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                            place->first, place->second, IM_COL32_WHITE, 4);
@@ -87,10 +92,7 @@ bool show_file(PanelContext& context, const Shelf& with, const files::PoseFile& 
 
 void show_files(PanelContext& context, const Shelf& with, float height) {
   begin_list(context, "library", {0, height});
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x;
-  const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
-  const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
+  const auto [across, width] = picture_row(context, 4.0F * context.unit, height);
   const auto listed = with.poses.listed(with.shown.search, with.part);
   std::string pressed;
   int column = 0;

@@ -26,7 +26,7 @@ void show_ghost_reach(PanelContext& context, const TimelineOwners& with) {
   const GhostEdit edit = *with.ghosts.last();
   const int rate = with.playback.rate();
   const Strip strip = begin_strip(context, with, "reach",
-                                  "How far the change of the ghost goes: drag an end of the bar", 0.5F * context.unit);
+                                  "How far the change of the ghost goes: drag an end of the bar", 0.6F * context.unit);
   const double pointer_s = on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate);
   if (ImGui::IsItemActivated()) {
     drag.held = true;

@@ -67,7 +67,8 @@ struct Slider {
 
 bool show_slider(PanelContext& context, const Slider& slider, const std::string& shown, double& value) {
   bool released = false;
-  const SliderLook look{ImGui::GetContentRegionAvail().x, slider.name, shown, std::max(0.0, slider.least)};
+  const SliderLook look{ImGui::GetContentRegionAvail().x, slider.name, shown,
+                        std::max(0.0, slider.least),      false,       false};
   const bool moved = control_slider(context, slider.id, value, slider.least, slider.most, look, released);
   tooltip(context, slider.tip);
   return moved || released;

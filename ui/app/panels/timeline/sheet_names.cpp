@@ -26,7 +26,7 @@ struct KnownRows {
   std::vector<SheetRow> rows;
 };
 
-/// Its name is in the colour of its curve.
+/// The colour of its curve stands before its name.
 bool draws_curve(const TimelineOwners& with, const SheetRow& row) {
   return with.shown().part == TimelinePart::curves && !row.group && with.shown().chosen.count(row.controls.front()) > 0;
 }
@@ -121,8 +121,13 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
       }
       x += 3 * half;
     }
-    const ImU32 color = draws_curve(with, row) ? curve_color(row.controls.front()) : ImGui::GetColorU32(ImGuiCol_Text);
-    list.AddText({x, y}, color, fitted_text(row.name, from.x + width - x).c_str());
+    if (draws_curve(with, row)) {
+      const float side = 0.5F * ImGui::GetFontSize();
+      const float above = top + 0.5F * (row_height - side);
+      list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(row.controls.front()), 2);
+      x += side + context.gap;
+    }
+    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_text(row.name, from.x + width - x).c_str());
   }
   ImGui::EndChild();
 }
@@ -151,7 +156,7 @@ std::optional<bool> selection_end_below(const PanelContext& context, const Timel
                                         ImVec2 at) {
   const KeySelection& keys = with.keys.selected();
   const float end = k_bar_end_units * context.unit;
-  if (keys.empty() || keys.first_s() == keys.last_s() || at.y > strip.from.y + end) return std::nullopt;
+  if (keys.empty() || keys.first_s() == keys.last_s() || at.y > strip.from.y + 2 * end) return std::nullopt;
   if (std::abs(at.x - strip.x_of(keys.last_s())) < end) return true;
   if (std::abs(at.x - strip.x_of(keys.first_s())) < end) return false;
   return std::nullopt;

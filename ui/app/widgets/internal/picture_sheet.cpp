@@ -30,10 +30,11 @@ std::pair<int, int> PictureSheet::corner(std::size_t place) const {
 std::pair<ImVec2, ImVec2> PictureSheet::corners(std::size_t place) const {
   const ImVec2 share = ImGui::GetIO().Fonts->TexUvScale;
   const auto [x, y] = corner(place);
-  const auto at = [&](int across, int down) {
-    return ImVec2{static_cast<float>(across) * share.x, static_cast<float>(down) * share.y};
+  // From middle to middle of its outer px, so that none of a neighbour is blended in.
+  const auto at = [&](int across, int down, float inward) {
+    return ImVec2{(static_cast<float>(across) + inward) * share.x, (static_cast<float>(down) + inward) * share.y};
   };
-  return {at(x, y), at(x + px_, y + px_)};
+  return {at(x, y, 0.5F), at(x + px_, y + px_, -0.5F)};
 }
 
 void PictureSheet::draw(std::size_t place, std::span<const std::uint8_t> pixels) {

@@ -61,7 +61,7 @@ ImGuiStyle theme_style(bool light, float scale) {
   colors[ImGuiCol_ScrollbarGrabHovered] = rgb(p.faint);
   colors[ImGuiCol_ScrollbarGrabActive] = rgb(p.accent);
   colors[ImGuiCol_TextSelectedBg] = rgb(p.accent, 0.45F);
-  colors[ImGuiCol_PlotHistogram] = rgb(p.accent);
+  colors[ImGuiCol_PlotHistogram] = rgb(p.accent, light ? 0.45F : 1.0F);  // under dark words
   style.DisabledAlpha = 0.45F;
   style.WindowRounding = 0;
   style.PopupRounding = 6;

@@ -51,9 +51,14 @@ void tooltip(PanelContext& context, const char* text) {
     at = {least.x, bottom - context.gap};
     pivot.y = 1;
   }
+  const float most_wide = ImGui::GetFontSize() * 20;
+  if (pivot.x == 0) {
+    const float wide = ImGui::CalcTextSize(text, nullptr, false, most_wide).x + 2 * ImGui::GetStyle().WindowPadding.x;
+    at.x = std::max(0.0F, std::min(at.x, static_cast<float>(context.window.width) - wide - context.gap));
+  }
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
+  ImGui::PushTextWrapPos(most_wide);
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -229,6 +234,19 @@ void begin_list(PanelContext& context, const char* name, const ImVec2& size, boo
   scrolls_by_drag(context);
 }
 
+PictureRow picture_row(const PanelContext& context, float widest, float height) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float room = ImGui::GetWindowWidth() - 2 * ImGui::GetCursorStartPos().x - style.ScrollbarSize;
+  const float line = ImGui::GetFontSize() + context.gap;
+  constexpr int k_most_across = 8;
+  PictureRow row{0, 0};
+  do {
+    ++row.across;
+    row.width = (room - static_cast<float>(row.across - 1) * style.ItemSpacing.x) / static_cast<float>(row.across);
+  } while (row.across < k_most_across && (row.width > widest || row.width + line > height));
+  return row;
+}
+
 bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   const auto window = context.window;
   const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
@@ -306,11 +324,11 @@ bool control_slider(PanelContext& context, const char* id, double& value, double
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.2f", value);
   const float pad = 0.3F * unit;
-  const float wide = ImGui::CalcTextSize(number.data()).x;
+  const float wide = look.numbered ? ImGui::CalcTextSize(number.data()).x : 0;
   const float y = 0.5F * (from.y + to.y - ImGui::GetFontSize());
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   list.AddText({from.x + pad, y}, ink, fitted_text(look.shown, to.x - from.x - wide - 3 * pad).c_str());
-  list.AddText({to.x - pad - wide, y}, ink, number.data());
+  if (look.numbered) list.AddText({to.x - pad - wide, y}, ink, number.data());
   ImGui::EndDisabled();
   return moved && !look.locked;
 }

@@ -66,10 +66,20 @@ struct SliderLook {
   std::string shown;  ///< what stands on it
   double rest = 0;    ///< from where it is filled
   bool locked = false;
+  bool numbered = true;  ///< shows its value, which `shown` may say in other words
 };
 /// The same with more to say; one that is locked does not move.
 bool control_slider(PanelContext& context, const char* id, double& value, double least, double most,
                     const SliderLook& look, bool& released);
+/// Pictures side by side in a list.
+struct PictureRow {
+  int across = 1;   ///< pictures in a row
+  float width = 0;  ///< of each, px
+};
+/// Rows in the list that was begun: as few pictures each as leave them no wider than `widest` px and the first row,
+/// with the line under it, no higher than `height`. The list's scroll bar has its room whether it shows or not, so that
+/// there is one layout.
+PictureRow picture_row(const PanelContext& context, float widest, float height);
 /// A text field of one line. `accepted`: Return was pressed in it.
 bool text_field(PanelContext& context, const char* label, std::string& text, float width = -1, const char* hint = "",
                 bool* accepted = nullptr);
