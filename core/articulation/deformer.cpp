@@ -8,6 +8,7 @@
 #include "core/articulation/motion/reference_curve.h"
 #include "core/articulation/motion/slide.h"
 #include "core/articulation/region/region.h"
+#include "core/articulation/surface/ball_under.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 
@@ -135,9 +136,10 @@ struct Curves {
   Curve target;
   bool turned_round = false;
   double kept = 1;
+  KeptSurface surface;
 };
 
-/// Steps 3 and 4 of the method.
+/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one.
 base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
                                const KeptSurface& surface, std::size_t points) {
@@ -148,10 +150,14 @@ base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const
   auto paired = curve::pair_target(reference->points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
   Curves curves{std::move(reference->points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
-                reference->kept};
+                reference->kept, surface};
   // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
   for (std::size_t i = 0; i < reference->aside.size(); ++i) curves.target[i] -= reference->aside[i];
-  lift_onto_surface(target_camera, surface, curves.reference, curves.target);
+  if (std::holds_alternative<std::monostate>(sketch.surface) && !sketch.paper && all_finite(curves.target)) {
+    curves.surface =
+        KeptSurface(ball_under(canvas, region.vertices.front(), {curves.reference, curves.target, target_camera}));
+  }
+  lift_onto_surface(target_camera, curves.surface, curves.reference, curves.target);
   if (!all_finite(curves.reference) || !all_finite(curves.target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
   }
@@ -297,7 +303,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             falloff,
                             std::move(curves->reference),
                             std::move(curves->target),
-                            *surface,
+                            curves->surface,
                             !sketch.betweens.empty()};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());

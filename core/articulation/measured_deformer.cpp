@@ -177,6 +177,7 @@ class Trial {
       for (std::size_t node = 0; node < n; ++node) {
         const double square = influence_.distances[node] * influence_.distances[node];
         give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
+        give[node] *= parts_.falloff.reached()[node];
       }
       relaxation_.emplace(parts_.patch, std::move(give));
     }
