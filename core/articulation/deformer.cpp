@@ -29,7 +29,8 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
 
 /// The reference curve, inferred or drawn, which stays on one sheet but for deformers of the paper.
 base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                                          std::span<const std::uint32_t> specific, std::size_t points) {
+                                          std::span<const std::uint32_t> specific, std::size_t points,
+                                          std::optional<std::uint32_t> without) {
   if (sketch.reference.empty()) {
     auto inferred = infer_reference(canvas, region, specific, points);
     if (!inferred) return at("specific", inferred.error());
@@ -43,7 +44,7 @@ base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& ca
     return SheetReference{std::move(*drawn), {}, 1};
   }
   auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
-                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer);
+                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, without);
   if (!drawn) return at("reference", drawn.error());
   return drawn;
 }
@@ -139,26 +140,47 @@ struct Curves {
   KeptSurface surface;
 };
 
-/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one.
-base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
-                               const KeptSurface& surface, std::size_t points) {
-  auto reference = reference_of(sketch, canvas, region, specific, points);
+/// Both curves, the target still where it was drawn before what is seen; `without`: as of sheet_reference.
+base::Result<Curves> drawn_curves(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                                  std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
+                                  std::size_t points, std::optional<std::uint32_t> without = std::nullopt) {
+  auto reference = reference_of(sketch, canvas, region, specific, points, without);
   if (!reference) return reference.error();
   if (sketch.reference.empty() && !sketch.paper)
     begin_where_attached(canvas, region, specific, target_camera, sketch.target, reference->points);
   auto paired = curve::pair_target(reference->points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
   Curves curves{std::move(reference->points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
-                reference->kept, surface};
+                reference->kept, KeptSurface()};
   // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
   for (std::size_t i = 0; i < reference->aside.size(); ++i) curves.target[i] -= reference->aside[i];
-  if (std::holds_alternative<std::monostate>(sketch.surface) && !sketch.paper && all_finite(curves.target)) {
-    curves.surface =
-        KeptSurface(ball_under(canvas, region.vertices.front(), {curves.reference, curves.target, target_camera}));
+  return curves;
+}
+
+/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one; a line that was drawn
+/// along a margin and touches the ball beside it is meant for the margin.
+base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
+                               const KeptSurface& surface, std::size_t points) {
+  auto curves = drawn_curves(sketch, canvas, region, specific, target_camera, points);
+  if (!curves) return curves;
+  curves->surface = surface;
+  if (std::holds_alternative<std::monostate>(sketch.surface) && !sketch.paper && all_finite(curves->target)) {
+    const auto under = [&](const Curves& some) {
+      return ball_under(canvas, region.vertices.front(), {some.reference, some.target, target_camera});
+    };
+    auto ball = under(*curves);
+    if (ball && !sketch.reference.empty()) {
+      auto beside = drawn_curves(sketch, canvas, region, specific, target_camera, points, ball->piece);
+      if (beside && all_finite(beside->target)) {
+        ball = under(*beside);
+        if (ball) *curves = std::move(*beside);
+      }
+    }
+    if (ball) curves->surface = KeptSurface(std::move(ball->held));
   }
-  lift_onto_surface(target_camera, curves.surface, curves.reference, curves.target);
-  if (!all_finite(curves.reference) || !all_finite(curves.target)) {
+  lift_onto_surface(target_camera, curves->surface, curves->reference, curves->target);
+  if (!all_finite(curves->reference) || !all_finite(curves->target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
   }
   return curves;

@@ -140,16 +140,20 @@ class Trial {
   }
 
   /// Gives way where the surface is torn or stretched beyond the bound at either end of the range (relaxation.h): what
-  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept.
+  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept. Where a margin that
+  /// slides is torn all the same, it had better end where it was drawn.
   void hold(Outcome& outcome, const Judge& judge) {
-    Outcome held = outcome;
-    hold_at(range_.maximum, held, judge);
-    if (range_.minimum < 0.0) hold_at(range_.minimum, held, judge);
-    measure(held);
+    Outcome held = held_of(outcome, judge, relaxation_, k_on_line);
+    if (outcome.motion->slide() != nullptr && !judge.holds(held.strain)) {
+      held = held_of(outcome, judge, firm_relaxation_, k_beside_line);
+    }
     if (judge.better(held.strain, outcome.strain, 1.0)) outcome = std::move(held);
   }
 
  private:
+  /// What lies as near to the curve as that, in its lengths, lies on it.
+  static constexpr double k_on_line = 1e-6;
+  static constexpr double k_beside_line = 0.005;
   static constexpr double k_near = 0.025;
   static constexpr double k_safe = 0.97;  ///< other amounts stretch a little more
   static constexpr int k_hold_rounds = 20;
@@ -169,18 +173,27 @@ class Trial {
     for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(skin, share * range_.maximum));
   }
 
-  void hold_at(double amount, Outcome& held, const Judge& judge) {
-    const std::size_t n = parts_.patch.inner_count();
-    if (!relaxation_) {
+  [[nodiscard]] Outcome held_of(const Outcome& outcome, const Judge& judge, std::optional<Relaxation>& relaxation,
+                                double on_line) {
+    if (!relaxation) {
       const double near = k_near * length_;
-      std::vector<double> give(n);
-      for (std::size_t node = 0; node < n; ++node) {
+      std::vector<double> give(parts_.patch.inner_count());
+      for (std::size_t node = 0; node < give.size(); ++node) {
         const double square = influence_.distances[node] * influence_.distances[node];
-        give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
+        give[node] = square > on_line * on_line * length_ * length_ ? square / (square + near * near) : 0.0;
         give[node] *= parts_.falloff.reached()[node];
       }
-      relaxation_.emplace(parts_.patch, std::move(give));
+      relaxation.emplace(parts_.patch, std::move(give));
     }
+    Outcome held = outcome;
+    hold_at(range_.maximum, held, judge, *relaxation);
+    if (range_.minimum < 0.0) hold_at(range_.minimum, held, judge, *relaxation);
+    measure(held);
+    return held;
+  }
+
+  void hold_at(double amount, Outcome& held, const Judge& judge, Relaxation& relaxation) {
+    const std::size_t n = parts_.patch.inner_count();
     Strain strain = at(CurveSkin(held.motion, parts_.surface, held.bindings, false), amount);
     if (judge.passes(strain)) return;
     const std::vector<ModelVector> before(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
@@ -197,9 +210,9 @@ class Trial {
         grow(marked);
         stiff = marked;
         grow(marked, 1 + round / 2);
-        relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
+        relaxation.unfold(stiff, marked, k_unfold_sweeps, places);
       }
-      if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
+      if (strain.stretch > judge.bound) relaxation.limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
       if (held.motion->slide() != nullptr) {
         // Along the axis every node stays where the slide brings it: that is the width of its row.
         const ModelVector& axis = held.motion->slide()->axis();
@@ -254,6 +267,7 @@ class Trial {
   CurveSkinWorkspace work_;
   std::vector<ModelVector> moves_;
   std::optional<Relaxation> relaxation_;
+  std::optional<Relaxation> firm_relaxation_;
 };
 
 }  // namespace

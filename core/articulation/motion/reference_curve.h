@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,10 +43,12 @@ struct SheetReference {
   double kept = 1;                 ///< share of the line that was not cut off
 };
 
-/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two.
-/// Errors: as drawn_reference; no other sheet.
+/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two. It is never on the
+/// piece `without` of the model (mesh::TriangleMesh::components), which the line may cross all the same. Errors: as
+/// drawn_reference; no other sheet.
 [[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                                            std::span<const PxPoint> stroke, std::size_t count,
-                                                           curve::SheetChoice choice);
+                                                           curve::SheetChoice choice,
+                                                           std::optional<std::uint32_t> without = std::nullopt);
 
 }  // namespace penpose::articulation

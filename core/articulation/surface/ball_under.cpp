@@ -141,7 +141,7 @@ class Heights {
   }
 
  private:
-  static constexpr std::size_t k_cells = 56;
+  static constexpr std::size_t k_cells = 96;
   static constexpr double k_reach = 1.15;  ///< 98 degrees from the axis
 
   [[nodiscard]] static std::pair<std::size_t, double> place(double x) {
@@ -244,8 +244,7 @@ std::vector<std::uint32_t> pieces_about(const Canvas& canvas, std::uint32_t own,
 
 }  // namespace
 
-std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, std::uint32_t vertex,
-                                              const CurvesOverBall& curves) {
+std::optional<BallUnder> ball_under(const Canvas& canvas, std::uint32_t vertex, const CurvesOverBall& curves) {
   const auto of = canvas.mesh().components();
   std::optional<Ball> ball;
   std::uint32_t piece = 0;
@@ -260,7 +259,7 @@ std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, std::uint32_
     ball = found;
     piece = one;
   }
-  if (!ball) return nullptr;
+  if (!ball) return std::nullopt;
   std::vector<mesh::Triangle> about;
   double least = std::numeric_limits<double>::max();
   double most = 0;
@@ -283,7 +282,7 @@ std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, std::uint32_
     }
     heights.emplace(*ball, geometry::normalized(axis, ModelVector{0, 0, 1}), canvas.positions(), about);
   }
-  return std::make_shared<const HeldBall>(*ball, std::move(heights));
+  return BallUnder{std::make_shared<const HeldBall>(*ball, std::move(heights)), piece};
 }
 
 }  // namespace penpose::articulation
