@@ -17,8 +17,8 @@ constexpr double k_ease = 0.15;
 constexpr int k_smoothings = 3;
 /// The falloff ends between these ratios of the way to the core over the surface to the straight one: from lip to lip
 /// around a mouth's corner it is several times as long, over what is bowed as a quarter of a circle 1.11 times.
-constexpr double k_detour = 1.5;
-constexpr double k_longest_detour = 2.0;
+constexpr double k_detour = 1.4;
+constexpr double k_longest_detour = 1.5;
 /// A piece that the second lasso cuts off belongs to the core but where it is smaller than this share of the largest
 /// one and its way there leads around as far as that on average: the rim of the other lip, not the back of this one.
 constexpr double k_smaller = 0.35;
@@ -295,6 +295,10 @@ std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<
       next[fan.node] = fan.count > 0.0 ? 0.5 * weights[fan.node] + 0.5 * sum / fan.count : weights[fan.node];
     }
     std::swap(weights, next);
+  }
+  // Smoothing carries some of them to where none reach.
+  for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
+    if (core[node] == 0) weights[node] *= reached_[node];
   }
   return weights;
 }

@@ -21,8 +21,8 @@ struct DrawnRegions {
 /// Weights that fall off over the surface: 1 at the nodes of the core, 0 outside of the region, between them g/(g + c)
 /// with g the distance over the surface to the region's border and c to the core's. Both borders run through triangles
 /// where the pen crossed them. A free end of the surface is no border: the tip of an ear inside the lasso moves as much
-/// as the part below it. Nor does the falloff reach what is near the core
-/// and yet far over the surface, as one lip is from the other.
+/// as the part below it. Nor does the falloff reach what is near the core and yet far over the surface, as one lip is from
+/// the other.
 class Falloff {
  public:
   Falloff(const Patch& patch, const DrawnRegions& drawn);
