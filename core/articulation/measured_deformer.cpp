@@ -140,15 +140,12 @@ class Trial {
   }
 
   /// Gives way where the surface is torn or stretched beyond the bound at either end of the range (relaxation.h): what
-  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept. A margin that slides
-  /// gives way only where that tears nothing more: else it had better end where it was drawn.
+  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept. Where a margin that
+  /// slides is torn all the same, it had better end where it was drawn.
   void hold(Outcome& outcome, const Judge& judge) {
-    const bool slides = outcome.motion->slide() != nullptr;
-    Outcome held = slides ? held_of(outcome, judge, firm_relaxation_, k_beside_line)
-                          : held_of(outcome, judge, relaxation_, k_on_line);
-    if (slides && !judge.holds(held.strain)) {
-      Outcome other = held_of(outcome, judge, relaxation_, k_on_line);
-      if (judge.holds(other.strain)) held = std::move(other);
+    Outcome held = held_of(outcome, judge, relaxation_, k_on_line);
+    if (parts_.firm && outcome.motion->slide() != nullptr && !judge.holds(held.strain)) {
+      held = held_of(outcome, judge, firm_relaxation_, k_beside_line);
     }
     if (judge.better(held.strain, outcome.strain, 1.0)) outcome = std::move(held);
   }
