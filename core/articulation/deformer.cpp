@@ -99,38 +99,6 @@ Place closest_place(PxPoint p, std::span<const PxPoint> line) {
   return best;
 }
 
-/// How far a point lies from the rest of the region, where the specific part is attached to the model.
-double from_attachment(const ModelPoint& point, const Canvas& canvas, const Region& region,
-                       std::span<const std::uint32_t> specific) {
-  double least = std::numeric_limits<double>::infinity();
-  auto inside = specific.begin();
-  for (std::uint32_t i = 0; i < region.vertices.size(); ++i) {
-    if (inside != specific.end() && *inside == i) {
-      ++inside;
-      continue;
-    }
-    least = std::min(least, geometry::distance(canvas.positions()[region.vertices[i]], point));
-  }
-  return least;
-}
-
-/// Turns an inferred reference round that is attached at its last point alone, where that end tells the target's
-/// direction otherwise than the first one: a trunk stays on its head, whichever way its target runs.
-void begin_where_attached(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
-                          const geometry::Camera& camera, std::span<const PxPoint> target, Curve& reference) {
-  constexpr double k_attached = 0.4;  // of the other end's way to what stays
-  const auto first = camera.project(reference.front());
-  const auto last = camera.project(reference.back());
-  if (!first || !last || target.size() < 2) return;
-  const auto nearer = [&](PxPoint end) {
-    return geometry::distance(target.front(), end) < geometry::distance(target.back(), end);
-  };
-  if (nearer(*first) != nearer(*last)) return;
-  if (from_attachment(reference.back(), canvas, region, specific) <
-      k_attached * from_attachment(reference.front(), canvas, region, specific))
-    std::reverse(reference.begin(), reference.end());
-}
-
 /// The curves of a deformer, with equally many points.
 struct Curves {
   Curve reference;

@@ -24,6 +24,12 @@ inline constexpr std::size_t k_light_kernel = 5;
                                                                     std::span<const std::uint32_t> specific,
                                                                     std::size_t count);
 
+/// Turns an inferred reference round that is attached at its last point alone, where that end tells the target's
+/// direction otherwise than the first one: a trunk stays on its head, whichever way its target runs.
+void begin_where_attached(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
+                          const geometry::Camera& camera, std::span<const PxPoint> target,
+                          std::vector<ModelPoint>& reference);
+
 /// Why an inferred reference cannot be trusted, in words for a user; empty where it can. Its vertices are on two sheets
 /// of the surface (both lips), or it runs far from the vertices it was inferred from.
 [[nodiscard]] std::string doubt_of_inferred(const Canvas& canvas, const Region& region,
