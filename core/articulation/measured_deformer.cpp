@@ -181,7 +181,6 @@ class Trial {
       for (std::size_t node = 0; node < give.size(); ++node) {
         const double square = influence_.distances[node] * influence_.distances[node];
         give[node] = square > on_line * on_line * length_ * length_ ? square / (square + near * near) : 0.0;
-        give[node] *= parts_.falloff.reached()[node];
       }
       relaxation.emplace(parts_.patch, std::move(give));
     }

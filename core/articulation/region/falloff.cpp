@@ -15,14 +15,6 @@ constexpr double k_far = std::numeric_limits<double>::infinity();
 /// times as steep as a straight one.
 constexpr double k_ease = 0.15;
 constexpr int k_smoothings = 3;
-/// The falloff ends between these ratios of the way to the core over the surface to the straight one: from lip to lip
-/// around a mouth's corner it is several times as long, over what is bowed as a quarter of a circle 1.11 times.
-constexpr double k_detour = 1.4;
-constexpr double k_longest_detour = 1.5;
-/// A piece that the second lasso cuts off belongs to the core but where it is smaller than this share of the largest
-/// one and its way there leads around as far as that on average: the rim of the other lip, not the back of this one.
-constexpr double k_smaller = 0.35;
-constexpr double k_around = 4;
 
 /// 0..1 -> 0..1 with slope 0 at both ends, straight between them.
 double eased(double x) {
@@ -62,112 +54,7 @@ std::vector<GeodesicSeed> seeds_outside(const Patch& patch, std::span<const std:
   return seeds;
 }
 
-/// Some nodes of a patch, to find the nearest of.
-class Nearest {
- public:
-  Nearest(const Patch& patch, std::span<const std::uint8_t> some) {
-    geometry::Box box;
-    for (std::uint32_t node = 0; node < some.size(); ++node) {
-      if (some[node] != 0) box.add(patch.rests()[node]);
-      if (some[node] != 0) points_.push_back(patch.rests()[node]);
-    }
-    const ModelVector size = box.maximum - box.minimum;
-    axis_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    std::stable_sort(points_.begin(), points_.end(),
-                     [this](const ModelPoint& a, const ModelPoint& b) { return a[axis_] < b[axis_]; });
-  }
-
-  /// The distance to the nearest; `most` where none is nearer than that.
-  [[nodiscard]] double distance(const ModelPoint& from, double most) const {
-    const auto middle = std::lower_bound(points_.begin(), points_.end(), from[axis_],
-                                         [this](const ModelPoint& p, double x) { return p[axis_] < x; });
-    double least = most * most;
-    const auto nearer = [&](const ModelPoint& p) {
-      const ModelVector way = p - from;
-      if (way[axis_] * way[axis_] >= least) return false;
-      least = std::min(least, glm::dot(way, way));
-      return true;
-    };
-    for (auto p = middle; p != points_.end() && nearer(*p); ++p) {
-    }
-    for (auto p = middle; p != points_.begin() && nearer(*(p - 1)); --p) {
-    }
-    return std::sqrt(least);
-  }
-
- private:
-  std::vector<ModelPoint> points_;
-  int axis_ = 0;
-};
-
-/// A connected piece of the core.
-struct CorePiece {
-  double area = 0;
-  std::vector<std::uint32_t> nodes;
-};
-
-std::vector<CorePiece> pieces_of(const Patch& patch, std::span<const std::uint8_t> core) {
-  std::vector<std::uint8_t> taken(patch.node_count(), 0);
-  std::vector<CorePiece> pieces;
-  for (std::uint32_t start = 0; start < patch.inner_count(); ++start) {
-    if (core[start] == 0 || taken[start] != 0) continue;
-    CorePiece& piece = pieces.emplace_back();
-    piece.nodes.push_back(start);
-    taken[start] = 1;
-    for (std::size_t i = 0; i < piece.nodes.size(); ++i) {
-      for (const std::uint32_t t : patch.star(piece.nodes[i])) {
-        const auto& [a, b, c] = patch.triangles()[t];
-        const ModelPoint& from = patch.rests()[a];
-        piece.area += geometry::length(glm::cross(patch.rests()[b] - from, patch.rests()[c] - from));
-        for (const std::uint32_t other : {a, b, c}) {
-          if (core[other] == 0 || taken[other] != 0) continue;
-          taken[other] = 1;
-          piece.nodes.push_back(other);
-        }
-      }
-    }
-  }
-  return pieces;
-}
-
 }  // namespace
-
-/// Takes the rims of other lips out of the core.
-void Falloff::drop_rims() {
-  const std::vector<CorePiece> pieces = pieces_of(patch_, specific_);
-  if (pieces.size() < 2) return;
-  const CorePiece& largest = *std::max_element(pieces.begin(), pieces.end(),
-                                               [](const CorePiece& a, const CorePiece& b) { return a.area < b.area; });
-  std::vector<std::uint8_t> main(patch_.node_count(), 0);
-  for (const std::uint32_t node : largest.nodes) main[node] = 1;
-  std::vector<std::uint8_t> open(patch_.node_count(), 0);
-  for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) open[node] = main[node] == 0 ? 1 : 0;
-  const auto around = geodesic_distances(patch_, seeds_outside(patch_, main, [](std::uint32_t) { return 1.0; }), open);
-  const Nearest nearest(patch_, main);
-  for (const CorePiece& piece : pieces) {
-    if (!(piece.area < k_smaller * largest.area)) continue;
-    double way = 0;
-    double straight = 0;
-    for (const std::uint32_t node : piece.nodes) {
-      way += around[node];
-      straight += around[node] < k_far ? nearest.distance(patch_.rests()[node], 2.0 * around[node]) : 0.0;
-    }
-    if (!(way > k_around * straight)) continue;
-    for (const std::uint32_t node : piece.nodes) specific_[node] = 0;
-  }
-}
-
-void Falloff::find_reached() {
-  reached_.assign(patch_.node_count(), 1.0);
-  const Nearest nearest(patch_, specific_);
-  for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
-    const double way = to_specific_[node];
-    if (specific_[node] != 0 || !(way < k_far)) continue;
-    const double straight = nearest.distance(patch_.rests()[node], way / k_detour);
-    const double detour = straight > 0.0 ? way / straight : k_detour;
-    reached_[node] = 1.0 - eased((detour - k_detour) / (k_longest_detour - k_detour));
-  }
-}
 
 Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
     : patch_(patch), inner_(patch.node_count(), 0), specific_(patch.node_count(), 0) {
@@ -181,7 +68,6 @@ Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
     specific_[node] = drawn.specific.contains(seen[node]) ? 1 : 0;
   }
   find_beyond(drawn, seen);
-  drop_rims();
   to_border_ = geodesic_distances(
       patch, seeds_outside(patch, outer, [&](std::uint32_t node) { return drawn.general.distance(seen[node]); }),
       inner_);
@@ -190,7 +76,6 @@ Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
   to_specific_ = geodesic_distances(
       patch, seeds_outside(patch, specific_, [&](std::uint32_t node) { return drawn.specific.distance(seen[node]); }),
       between);
-  find_reached();
   // All of the model was drawn around: it has no border, and what is farthest from the core stands for one.
   const bool bordered = std::any_of(to_border_.begin(), to_border_.end(), [](double d) { return d < k_far; });
   if (bordered) return;
@@ -257,7 +142,7 @@ std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<
       weights[node] = to_core[node] < k_far ? 1.0 : 0.0;
     } else if (to_core[node] < k_far) {
       const double sum = to_border_[node] + to_core[node];
-      weights[node] = reached_[node] * eased(sum > 0.0 ? to_border_[node] / sum : 0.0);
+      weights[node] = eased(sum > 0.0 ? to_border_[node] / sum : 0.0);
     }
   }
   struct Neighbour {
@@ -295,10 +180,6 @@ std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<
       next[fan.node] = fan.count > 0.0 ? 0.5 * weights[fan.node] + 0.5 * sum / fan.count : weights[fan.node];
     }
     std::swap(weights, next);
-  }
-  // Smoothing carries some of them to where none reach.
-  for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
-    if (core[node] == 0) weights[node] *= reached_[node];
   }
   return weights;
 }

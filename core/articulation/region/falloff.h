@@ -21,18 +21,13 @@ struct DrawnRegions {
 /// Weights that fall off over the surface: 1 at the nodes of the core, 0 outside of the region, between them g/(g + c)
 /// with g the distance over the surface to the region's border and c to the core's. Both borders run through triangles
 /// where the pen crossed them. A free end of the surface is no border: the tip of an ear inside the lasso moves as much
-/// as the part below it. Nor does the falloff reach what is near the core and yet far over the surface, as one lip is from
-/// the other.
+/// as the part below it.
 class Falloff {
  public:
   Falloff(const Patch& patch, const DrawnRegions& drawn);
 
-  /// Nodes of the patch that lie inside the region of specific interest; 1 a node. A smaller piece of it is left out
-  /// that lies next to the largest and far from it over the surface, such as the rim of the other lip.
+  /// Nodes of the patch that lie inside the region of specific interest; 1 a node.
   [[nodiscard]] std::span<const std::uint8_t> specific() const { return specific_; }
-  /// How much of the falloff reaches each node: 1, and less where the way to the core over the surface leads far
-  /// around.
-  [[nodiscard]] std::span<const double> reached() const { return reached_; }
   /// Where the region of specific interest extends beyond that of general interest on the model, as seen from the
   /// middle of its part inside ("on its left"); empty where it does not.
   [[nodiscard]] const std::string& reaches_beyond() const { return reaches_beyond_; }
@@ -46,15 +41,12 @@ class Falloff {
                                             std::span<const double> to_curve) const;
 
  private:
-  void drop_rims();
-  void find_reached();
   void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);
   [[nodiscard]] std::vector<double> blended(std::span<const double> to_core, std::span<const std::uint8_t> core) const;
 
   const Patch& patch_;
   std::vector<std::uint8_t> inner_;
   std::vector<std::uint8_t> specific_;
-  std::vector<double> reached_;
   std::string reaches_beyond_;
   std::vector<double> to_border_;
   std::vector<double> to_specific_;
