@@ -65,6 +65,7 @@ base::Hash128 hash_of(const PoseCurve& curve) {
   add_mesh_points(hash, curve.points);
   add_points(hash, curve.kept);
   if (!curve.aside.empty()) add_points(hash, curve.aside);
+  if (curve.time_s != 0.0) hash.add(curve.time_s);
   hash.add(std::uint64_t{curve.target.has_value()});
   if (curve.target) add_target(hash, *curve.target);
   return hash.digest();

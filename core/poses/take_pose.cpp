@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 3> k_ways{"names", "effects", "lines"};
 
 /// A way that leaves more than this of what the pose asks for is no way: the next one is tried.
 constexpr double k_no_way = 0.9;
+/// Names that leave more than this of it may mean something else here: what controls do is tried, too.
+constexpr double k_about = 0.4;
 /// Moves of less than this, of the face's size and over all places, ask for nothing.
 constexpr double k_nothing = 1e-3;
 
@@ -146,12 +148,16 @@ base::Result<TakenPose> take_pose(const KeptPose& pose, const document::Model& m
   std::optional<TakenPose> names;
   if (may(Way::names)) {
     names = taker.by_names(true);
-    const bool whole = names->missing.empty() && fits(*names);
+    const bool whole = names->missing.empty() && (!names->left || *names->left < k_about);
     if (!names->values.empty() && (whole || options.way)) return *names;
   }
   // A pose at rest asks for nothing, and is taken so.
-  if (may(Way::effects) && face != nullptr && (taker.asks() || pose.values.empty())) {
+  const bool rests = pose.values.empty() && (pose.lines.empty() || !pose.moves.empty());
+  if (may(Way::effects) && face != nullptr && (taker.asks() || rests)) {
     TakenPose effects = taker.by_effects();
+    const bool names_are_nearer =
+        names && names->missing.empty() && names->left && effects.left && *names->left <= *effects.left;
+    if (names_are_nearer && fits(*names)) return *names;
     if (!effects.values.empty() && (fits(effects) || options.way)) return effects;
   }
   std::string why = "no control of it is here";

@@ -1,4 +1,5 @@
-// write_blender_samples FOLDER: animated files, and where their vertices should be at twenty times.
+// write_blender_samples FOLDER [FILE.glb ...]: animated files, the named ones too, and where their vertices should be
+// at twenty times.
 
 #include <cstdio>
 #include <filesystem>
@@ -131,7 +132,7 @@ document::Document keyed_head(document::Model model) {
     does(key);
     for (std::size_t k = 0; k < key.names.size(); ++k)
       does(
-          SetKeyKind{{{time_s}, {key.names[k]}}, static_cast<KeyKind>((k + static_cast<std::size_t>(4 * time_s)) % 7)});
+          SetKeyKind{{{time_s}, {key.names[k]}}, static_cast<KeyKind>((k + static_cast<std::size_t>(4 * time_s)) % 8)});
     does(SetKeySlopes{time_s, key.names.front(), 0.7, -0.4});
   }
   does(Tween{1, 1.2, {}});
@@ -142,7 +143,7 @@ document::Document keyed_head(document::Model model) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  if (argc < 2) return 2;
   const std::filesystem::path folder = tests::empty_folder(argv[1]);
   bool good = write(folder, "trunk", animated(trunk()));
   // The built-in head, through the whole ranges of its controls, which go below 0 and above 1.
@@ -151,6 +152,10 @@ int main(int argc, char** argv) {
   // The demo as it is written, its timeline of smooth keys and all.
   good = write_file(folder, "demo", io::write_project(demo.document), false) && good;
   good = write_file(folder, "keyed", io::write_project(keyed_head(*demo.document.model)), false) && good;
+  for (int i = 2; i < argc; ++i) {
+    const std::filesystem::path file = argv[i];
+    good = write_file(folder, file.stem().string(), tests::read_file(file), false) && good;
+  }
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;

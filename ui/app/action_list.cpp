@@ -80,7 +80,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback, Controls& controls, FilmWriter& film, OverlapOffer& overlap) {
+            SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap) {
   if (panels.radial) {
     panels.radial.reset();
   } else if (panels.curve_menu) {
@@ -97,8 +97,6 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     if (!editing.pen_is_drawing()) controls.lent().give_back();
   } else if (editing.document().pending) {
     editing.perform(document::CancelDeformer{});
-  } else {
-    film.cancel();
   }
 }
 

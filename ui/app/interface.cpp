@@ -187,6 +187,9 @@ void Interface::frame(double passed_s) {
   menu_open_ = context.menu_open;
   fields_ = std::move(context.fields);
   tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
+  // ImGui shows a window that fits its text one frame after it is made.
+  const bool tip_shows = context.tip_waits && context.tip_due;
+  if (std::exchange(tip_shows_, tip_shows) != tip_shows) disturb();
   has_field_ = context.has_field;
   dialog_area_ = context.dialog_area;
   drag_scroll_.set_areas(std::move(menu_open_ ? context.menu_scrolls : context.scrolls));
@@ -215,6 +218,8 @@ void Interface::show_all(PanelContext& context) {
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
+  // There is room for the bar before it is there, so that the model stays where it is.
+  if (app_.of<ToolInHand>().now().shows_ghosts) bottom += 0.5 * unit + gap;
   if (most < bottom) {
     bottom = unit + 2 * gap;
   } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {

@@ -107,6 +107,7 @@ class Interface {
   std::pair<float, float> rested_at_{};  ///< where the pointer is
   double rested_s_ = 0;                  ///< and for how long
   bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
+  bool tip_shows_ = false;
   int font_revision_ = 0;
   std::optional<PxPoint> pointer_;
   Clipboard clipboard_;

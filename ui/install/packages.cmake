@@ -82,6 +82,12 @@ if(speech_links MATCHES "pocketsphinx")
   list(APPEND sounds "libpocketsphinx3 (>= 0.8+5prealpha+1)" "libsphinxbase3 (>= 0.8+5prealpha+1)")
   set(english pocketsphinx-en-us)
 endif()
+if(TARGET ui_portal)
+  get_target_property(portal_links ui_portal LINK_LIBRARIES)
+  if(portal_links MATCHES "DBUS")
+    set(desktop "libdbus-1-3 (>= 1.9.14)")
+  endif()
+endif()
 set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
@@ -89,8 +95,8 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)" ${sounds}
-  "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter ${english} CONFLICTS penpose-nogui)
+With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)" ${sounds} ${desktop}
+  "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter ffmpeg ${english} CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It

@@ -1,9 +1,12 @@
 #include "core/document/commands/apply.h"
 
+#include <algorithm>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "core/base/text/utf8.h"
 #include "core/document/commands/apply_parts.h"
@@ -74,6 +77,24 @@ std::optional<base::Error> check_texts(const One& command) {
   return error;
 }
 
+/// A curve is of the moment at which it, or its target, was drawn: over another pose it says nothing. A pose that is
+/// keyed elsewhere than where it was drawn takes its curves along.
+void keep_moments(const Document& before, bool keyed, Document& after) {
+  const bool carried = keyed && after.time_s != before.time_s;
+  if (!carried && after.curves == before.curves) return;
+  for (auto& curve : after.curves) {
+    const auto known =
+        std::find_if(before.curves.begin(), before.curves.end(), [&](const auto& one) { return one->id == curve->id; });
+    const bool drawn =
+        known == before.curves.end() || (*known)->role != curve->role || (*known)->target != curve->target;
+    const double time_s = drawn || (carried && curve->time_s == before.time_s) ? after.time_s : curve->time_s;
+    if (time_s == curve->time_s) continue;
+    PoseCurve moved = *curve;
+    moved.time_s = time_s;
+    curve = std::make_shared<const PoseCurve>(std::move(moved));
+  }
+}
+
 }  // namespace
 
 base::Error at(const char* member, base::Error error) {
@@ -83,7 +104,9 @@ base::Error at(const char* member, base::Error error) {
 
 base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work) {
   if (auto error = std::visit([](const auto& one) { return check_texts(one); }, command)) return *error;
-  return std::visit([&](const auto& one) { return run(document, one, work.parts()); }, command);
+  auto changed = std::visit([&](const auto& one) { return run(document, one, work.parts()); }, command);
+  if (changed) keep_moments(document, std::holds_alternative<SetKey>(command), *changed);
+  return changed;
 }
 
 }  // namespace penpose::document

@@ -53,6 +53,7 @@ struct PoseCurve {
   std::vector<geometry::ModelPoint> kept;  ///< of a constraint: one a point
   /// For a reference that snapped to a sheet next to the pen: from each point to the pen; else empty.
   std::vector<geometry::ModelVector> aside;
+  double time_s = 0;  ///< of the timeline: when it, or its target, was drawn (apply.h)
   friend bool operator==(const PoseCurve&, const PoseCurve&) = default;
 };
 

@@ -87,7 +87,8 @@ TEST(SessionPlayer, ReportsTheFirstLineThatDiffersAndWhatDiffers) {
   ASSERT_TRUE(played->divergence);
   const auto before = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(key), '\n');
   EXPECT_EQ(played->divergence->line, static_cast<std::uint64_t>(before) + 2) << "the state after that command";
-  EXPECT_EQ(played->divergence->parts, (std::vector<std::string_view>{"parameters", "keys"}));
+  EXPECT_EQ(played->divergence->parts, (std::vector<std::string_view>{"parameters", "curves", "keys"}))
+      << "lines go along with the pose that is keyed";
   EXPECT_EQ(played->differing, 1U);
 }
 

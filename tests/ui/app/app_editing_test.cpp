@@ -194,15 +194,15 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   EXPECT_EQ(desk.document().pose, pose);
   // Nearer and farther.
   const double all = desk.app->of<PanelState>().own.of<TimelineShown>().span_s;
-  desk.click("+##track");
+  desk.click("Zoom in##track");
   EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, all);
   const double from = desk.app->of<PanelState>().own.of<TimelineShown>().from_s;
-  desk.click("<##track");
+  desk.click("Back##track");
   EXPECT_LT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from);
-  desk.click(">##track");
-  desk.click(">##track");
+  desk.click("On##track");
+  desk.click("On##track");
   EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from) << "also away from the cursor";
-  desk.click("-##track");
+  desk.click("Zoom out##track");
   EXPECT_EQ(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, 0);
 }
 

@@ -87,6 +87,7 @@ void show_tools(PanelContext& context, const BrowsedWith& with, const BrowseLook
   ButtonRow::Button make{"New folder##files", {}, "Make a folder here", true, state.new_name.has_value()};
   make.does = [&state] {
     state.new_name = state.new_name ? std::nullopt : std::optional<std::string>("");
+    state.new_begins = state.new_name.has_value();
     state.new_error.clear();
   };
   row.add(std::move(make));
@@ -116,6 +117,7 @@ void show_new_folder(PanelContext& context, const BrowsedWith& with) {
     const bool returned = std::exchange(context.accepts, false);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float wide = 3 * context.unit;
+    if (std::exchange(state.new_begins, false)) ImGui::SetKeyboardFocusHere();
     text_field(context, "##new folder", *state.new_name, ImGui::GetContentRegionAvail().x - 2 * (wide + spacing),
                "the folder's name");
     ImGui::SameLine();

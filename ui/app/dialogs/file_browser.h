@@ -30,6 +30,7 @@ struct FileBrowser {
   bool places_shown = false;            ///< where there is no room for both
   std::size_t kind = 0;                 ///< of the kinds offered
   std::optional<std::string> new_name;  ///< of a folder, being typed
+  bool new_begins = false;              ///< its field takes the keyboard
   std::string new_error;
   std::string made;  ///< the folder that was made last, while it can be taken back
 

@@ -1,6 +1,7 @@
 #include "ui/app/dialogs/found_command.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "core/base/numbers.h"
@@ -48,6 +49,32 @@ int fits(std::string_view name, std::string_view besides, const std::vector<std:
   return total;
 }
 
+struct OtherWords {
+  std::string_view label;
+  std::string_view words;
+};
+/// What else people call it.
+constexpr std::array k_other_words{OtherWords{"Sound", "audio music voice wav speech"},
+                                   OtherWords{"Film", "video movie mp4 gif webm render"},
+                                   OtherWords{"Playblast", "video movie preview render"},
+                                   OtherWords{"Key", "keyframe"},
+                                   OtherWords{"Curves", "easing interpolation graph editor f-curve"},
+                                   OtherWords{"Sheet", "dope keyframes"},
+                                   OtherWords{"Ease in", "easing interpolation"},
+                                   OtherWords{"Ease out", "easing interpolation"},
+                                   OtherWords{"Ease in and out", "easing interpolation"},
+                                   OtherWords{"Smooth keys", "easing interpolation"},
+                                   OtherWords{"Linear keys", "interpolation"},
+                                   OtherWords{"Stepped keys", "interpolation constant hold"}};
+
+std::string besides_of(const ActionInfo& action) {
+  std::string besides(action.tip);
+  for (const OtherWords& one : k_other_words) {
+    if (one.label == action.label) besides += ' ' + std::string(one.words);
+  }
+  return besides;
+}
+
 }  // namespace
 
 std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view text) {
@@ -58,7 +85,7 @@ std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view t
   };
   for (const ActionInfo& one : all_actions()) {
     if (one.action == Action::search) continue;
-    add({Kind::action, std::string(one.label), in.keys.shortcut_of(one.action), one.action}, one.tip);
+    add({Kind::action, std::string(one.label), in.keys.shortcut_of(one.action), one.action}, besides_of(one));
   }
   if (!words.empty()) {
     const document::Document& document = in.document;

@@ -135,6 +135,9 @@ void show_question(PanelContext& context, const Owners& with) {
   }
   if (!choice.action) {
     ImGui::TextWrapped("Touch a key, then press the one that it shall be.");
+    // Not where the answers to a question are, which may be touched twice.
+    const float wide = button_width(context, "All as they were", {}, true);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - wide);
     if (wide_button(context, "All as they were##key", 0, false, "Every action has its own keys again") &&
         keys.any_changed()) {
       keys.reset_all();

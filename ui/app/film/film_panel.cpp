@@ -46,7 +46,7 @@ void show_film(PanelContext& context, const Area& /*area*/, Canvas& canvas, Film
     note(context, "film progress");
     ImGui::SameLine();
     ImGui::BeginDisabled(job->cancelled());
-    cancels = wide_button(context, "Cancel##film progress", button, false, "Write no film (Esc)");
+    cancels = wide_button(context, "Cancel##film progress", button, false, "Write no film");
     ImGui::EndDisabled();
   }
   end_panel();

@@ -35,14 +35,19 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   }
   const Area inner{free.left + static_cast<double>(pad), free.top + static_cast<double>(pad),
                    free.right - static_cast<double>(pad), free.bottom - static_cast<double>(pad)};
-  const Area place =
-      toast_place(inner, static_cast<double>(wide), static_cast<double>(high), drawn_px(canvas.view(), drawing.curves));
+  // A dialog has the middle of the window: its own fields and buttons stay readable.
+  const auto corner = static_cast<double>(pad);
+  const Area place = dialog
+                         ? Area{corner, corner, corner + static_cast<double>(wide), corner + static_cast<double>(high)}
+                         : toast_place(inner, static_cast<double>(wide), static_cast<double>(high),
+                                       drawn_px(canvas.view(), drawing.curves));
   auto y = static_cast<float>(place.top);
   const auto x = static_cast<float>(place.left);
   for (const Notice& one : all) {
     // It goes as it came, and not at a stroke.
     const int alpha = static_cast<int>(255 * notices.opacity(one));
-    const ImU32 back = light ? IM_COL32(255, 255, 255, alpha * 15 / 16) : IM_COL32(35, 39, 45, alpha * 15 / 16);
+    const int cover = dialog ? alpha : alpha * 15 / 16;
+    const ImU32 back = light ? IM_COL32(255, 255, 255, cover) : IM_COL32(35, 39, 45, cover);
     const ImU32 ink = light ? IM_COL32(26, 29, 33, alpha) : IM_COL32(231, 234, 238, alpha);
     const ImU32 mark = one.is_error ? IM_COL32(224, 82, 58, alpha) : IM_COL32(47, 127, 214, alpha);
     const ImVec2 size = ImGui::CalcTextSize(one.text.c_str(), nullptr, false, width - 3 * pad);

@@ -14,7 +14,7 @@ void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Contr
                      Dialogs&, PanelState&, PoseShelf&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
-                   Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&);
+                   Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&, ToolInHand&);
 void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);

@@ -17,8 +17,10 @@
 #include "ui/app/playback/keys.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/time_actions.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/sound/sound_strip.h"
+#include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -68,7 +70,8 @@ void show_ruler(PanelContext& context, const TimelineOwners& with) {
     list.AddLine({x, strip.from.y + (numbered ? 0.55F : 0.8F) * strip.size.y}, {x, strip.to().y}, faint);
     if (!numbered) continue;
     const std::string number = std::to_string(frame);
-    list.AddText({x + 3, strip.from.y + 2}, faint, number.c_str());
+    const float left = x - 0.5F * ImGui::CalcTextSize(number.c_str()).x;
+    list.AddText({std::max(left, strip.from.x + 1), strip.from.y + 2}, faint, number.c_str());
   }
   // Where a tour asks to go.
   if (const auto asked = with.tour.active() ? with.tour.asked_time() : std::nullopt) {
@@ -178,32 +181,22 @@ void show_rate(PanelContext& context, const TimelineOwners& with, float width) {
   ImGui::EndPopup();
 }
 
-constexpr std::array<std::pair<document::KeyKind, const char*>, 8> k_kind_names{
-    {{document::KeyKind::smooth, "Smooth"},
-     {document::KeyKind::linear, "Linear"},
-     {document::KeyKind::stepped, "Stepped"},
-     {document::KeyKind::ease_in, "Ease in"},
-     {document::KeyKind::ease_out, "Ease out"},
-     {document::KeyKind::ease, "Ease"},
-     {document::KeyKind::free, "Free"},
-     {document::KeyKind::overshoot, "Overshoot"}}};
-
 /// How controls go on from the keys that are meant.
 void show_kinds(PanelContext& context, const TimelineOwners& with, float width) {
   const auto now = with.keys.kind();
   std::string label = "Mixed";
-  for (const auto& [kind, name] : k_kind_names) {
-    if (now == kind) label = name;
+  for (const KeyKindInfo& one : key_kinds()) {
+    if (now == one.kind) label = one.name;
   }
-  if (!now && !with.keys.any_meant()) label = "Smooth";
+  if (!now && with.editing.document().timeline->keys.empty()) label = "Smooth";
   label += "##kind";
-  if (wide_button(context, label.c_str(), width, false, "How poses go on from the selected keys, else from those here"))
-    ImGui::OpenPopup("kinds");
+  const char* tip = "How the face goes to the next key: from the key here, or before, or from those that are selected";
+  if (wide_button(context, label.c_str(), width, false, tip)) ImGui::OpenPopup("kinds");
   if (!begin_menu(context, "kinds")) return;
-  for (const auto& [kind, name] : k_kind_names) {
-    const std::string one = std::string(name) + "##choose kind";
-    if (!wide_button(context, one.c_str(), 4 * context.unit, now == kind)) continue;
-    with.keys.set_kind(kind);
+  for (const KeyKindInfo& one : key_kinds()) {
+    const std::string entry = std::string(one.name) + "##choose kind";
+    if (!wide_button(context, entry.c_str(), 4 * context.unit, now == one.kind, one.tip)) continue;
+    with.keys.set_kind(one.kind);
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
@@ -273,7 +266,9 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
     clips.does = [&] { context.actions.run(Action{"clips"}); };
     row.add(std::move(clips));
   }
-  row.add(Action::key_pose);
+  // A pose that the timeline does not have is lost where one goes on without it.
+  const document::Document& now = with.editing.document();
+  row.add(Action::key_pose, !timeline.keys.empty() && !(now.pose == document::pose_at(now, now.time_s)));
   row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
@@ -299,11 +294,11 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
     row.add(std::move(button));
   };
   const bool part = with.shown().span_s > 0;
-  view("-##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
-  view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
+  view("Zoom out##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
+  view("Zoom in##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
        [&with] { zoom_track(with, 1 / 1.6); });
-  view("<##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
-  view(">##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
+  view("Back##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
+  view("On##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, true, false);
   row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);
@@ -323,7 +318,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
                    Dialogs& dialogs, PanelState& panels, SoundTrack& sound, FirstPass& pass, OverlapOffer& overlap,
-                   GhostHand& ghosts) {
+                   GhostHand& ghosts, ToolInHand& tool) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
@@ -334,7 +329,7 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
           with.shown().all_rows = !with.shown().all_rows;
       });
       show_ruler(context, with);
-      show_ghost_reach(context, with);
+      if (tool.now().shows_ghosts) show_ghost_reach(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));

@@ -1,22 +1,21 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/document/document.h"
 
 namespace penpose::app {
 
-/// The moments at which drawn curves were drawn, and the one that is looked at: a line belongs to its pose, and over
-/// another one it says nothing. Those of a project are taken for lines of the moment at which it was saved.
+/// Which drawn curves are shown: those of the moment that is looked at. A line belongs to its pose, and over another
+/// one it says nothing.
 class CurveMoments {
  public:
-  /// Another document: all of its curves are of its moment.
+  /// Another document, of whose moment lines are shown.
   void begin(const document::Document& document);
   /// The document after a change.
-  void follow(const document::Document& document);
+  void follow(const document::Document& document) { curves_ = document.curves; }
 
   /// Lines of that moment (s) are shown from now on; nothing: none are.
   void look_at(std::optional<double> time_s) { looked_at_s_ = time_s; }
@@ -27,13 +26,7 @@ class CurveMoments {
   [[nodiscard]] bool shows(double time_s) const;
 
  private:
-  struct Drawn {
-    std::shared_ptr<const document::PoseCurve> curve;
-    double time_s = 0;
-  };
-  std::map<std::uint32_t, Drawn> drawn_;  ///< by the curve's id
-  std::shared_ptr<const document::Timeline> timeline_;
-  double time_s_ = 0;
+  std::vector<std::shared_ptr<const document::PoseCurve>> curves_;
   std::optional<double> looked_at_s_;
 };
 

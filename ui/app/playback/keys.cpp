@@ -91,8 +91,22 @@ void Keys::pull_handle(const KeySelection::Key& key, bool incoming, double slope
 }
 
 void Keys::set_kind(document::KeyKind kind) {
-  if (!any_meant()) return notices_.tell("there is no key here: go to one, or select keys in the sheet");
-  if (editing_.perform(document::SetKeyKind{meant(), kind})) show_again();
+  const document::PoseKey* from = going_on();
+  if (selected_.empty() && from == nullptr)
+    return notices_.tell("there is no key here or before: go to one, or select keys in the sheet");
+  const bool last = selected_.empty() && from == &editing_.document().timeline->keys.back();
+  const document::OfKeys keys = any_meant() ? meant() : document::OfKeys{{from->time_s}, {}};
+  if (editing_.perform(document::SetKeyKind{keys, kind})) show_again();
+  if (last) notices_.tell("Nothing follows this key: how the face comes here is set at the key before");
+}
+
+const document::PoseKey* Keys::going_on() const {
+  if (const auto* here = find(playback_.time_s())) return here;
+  const document::PoseKey* before = nullptr;
+  for (const document::PoseKey& key : editing_.document().timeline->keys) {
+    if (key.time_s < playback_.time_s()) before = &key;
+  }
+  return before;
 }
 
 std::optional<document::KeyKind> Keys::kind() const {
@@ -110,7 +124,7 @@ std::optional<document::KeyKind> Keys::kind() const {
     if (place && differs(document.timeline->keys[*place].controls[parameter].kind)) return std::nullopt;
   }
   if (!selected_.empty()) return kind;
-  const auto* here = find(playback_.time_s());
+  const auto* here = going_on();
   for (std::size_t i = 0; here != nullptr && i < document.pose.size(); ++i) {
     if (differs(here->controls[i].kind)) return std::nullopt;
   }

@@ -41,9 +41,9 @@ class Keys {
   void shift_selected(double by_s, double share);
   /// Gives a key another slope, in units a second, on both sides of it or, `alone`, on that side.
   void pull_handle(const KeySelection::Key& key, bool incoming, double slope, bool alone);
-  /// How controls go on from them.
+  /// How controls go on from them; between two keys, from the one before.
   void set_kind(document::KeyKind kind);
-  /// The kind that they have in common; nothing: there are none, or they differ.
+  /// The kind that those have in common; nothing: there are none, or they differ.
   [[nodiscard]] std::optional<document::KeyKind> kind() const;
   /// Keys a breakdown at the cursor (document::Tween), of the controls that are selected, else of all.
   void tween(double share);
@@ -52,6 +52,8 @@ class Keys {
 
  private:
   [[nodiscard]] const document::PoseKey* find(double time_s) const;
+  /// The key at the cursor, else the one before; null: there is none.
+  [[nodiscard]] const document::PoseKey* going_on() const;
   /// Those that are meant.
   [[nodiscard]] document::OfKeys meant() const;
   [[nodiscard]] document::Tween breakdown(double share);

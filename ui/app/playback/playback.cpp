@@ -149,7 +149,8 @@ void Playback::advance(std::int64_t now_us) {
   }
   const double begin = loop_.begin_s();
   const double end = loop_.end_s(last_s());
-  time_s_ = play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6;
+  // What is heard may be behind when it begins.
+  time_s_ = std::max(begin, play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6);
   if (end <= begin) {
     time_s_ = begin;
   } else if (time_s_ > end) {

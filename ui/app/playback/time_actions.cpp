@@ -29,8 +29,26 @@ constexpr KeyStroke plain_stroke(std::uint32_t key) { return plain_key(key); }
 constexpr KeyStroke ctrl_stroke(std::uint32_t key) { return {key, true, false}; }
 constexpr KeyStroke shift_stroke(std::uint32_t key) { return {key, false, true}; }
 
+constexpr std::array k_key_kinds{
+    KeyKindInfo{document::KeyKind::smooth, "Smooth", "Rounded, and never beyond the keys"},
+    KeyKindInfo{document::KeyKind::linear, "Linear", "At one pace"},
+    KeyKindInfo{document::KeyKind::stepped, "Stepped", "Holds, and jumps at the next key"},
+    KeyKindInfo{document::KeyKind::ease_in, "Ease in", "Starts slowly"},
+    KeyKindInfo{document::KeyKind::ease_out, "Ease out", "Ends slowly"},
+    KeyKindInfo{document::KeyKind::ease, "Ease", "Starts and ends slowly"},
+    KeyKindInfo{document::KeyKind::free, "Free", "By its handles in Curves, within the ranges of controls"},
+    KeyKindInfo{document::KeyKind::overshoot, "Overshoot",
+                "By its handles in Curves, beyond the ranges of controls, too"},
+};
+
+template <document::KeyKind kind>
+constexpr ActionInfo action_of_kind(std::string_view name, std::string_view label, std::string_view tip,
+                                    std::string_view icon) {
+  return {{name}, label, {}, {}, tip, icon, does([](Keys& keys) { keys.set_kind(kind); })};
+}
+
 // clang-format off
-const std::array k_time_actions{
+constinit const std::array k_time_actions{
     ActionInfo{{"key_pose"}, "Key", plain_stroke('i'), plain_stroke('k'), "Keep the pose at this moment",
      "M12 4L20 12L12 20L4 12F", does([](Keys& keys) { keys.set(); })},
     ActionInfo{{"delete_key"}, "Delete key", shift_stroke('i'), {}, "Remove the selected keys, else those at this moment",
@@ -100,10 +118,28 @@ const std::array k_time_actions{
     ActionInfo{{"curve_editor"}, "Curves", shift_stroke('t'), {}, "The curves of controls, with handles",
      "M3 20L6 18L9 10L12 6L15 8L18 16L21 18M9 10L15 2",
      does([](PanelState& panels) { show_part(panels, TimelinePart::curves); })},
+    action_of_kind<document::KeyKind::smooth>("kind_smooth", "Smooth keys", "Rounded, and never beyond the keys, from this key to the next",
+     "M3 19L7 18L11 14L13 10L17 6L21 5"),
+    action_of_kind<document::KeyKind::linear>("kind_linear", "Linear keys", "At one pace, from this key to the next",
+     "M3 19L21 5"),
+    action_of_kind<document::KeyKind::stepped>("kind_stepped", "Stepped keys", "Holds, and jumps at the next key, from this key to the next",
+     "M3 19L15 19L15 5L21 5"),
+    action_of_kind<document::KeyKind::ease_in>("kind_ease_in", "Ease in", "Starts slowly, from this key to the next",
+     "M3 19L10 18L16 13L21 5"),
+    action_of_kind<document::KeyKind::ease_out>("kind_ease_out", "Ease out", "Ends slowly, from this key to the next",
+     "M3 19L8 11L14 6L21 5"),
+    action_of_kind<document::KeyKind::ease>("kind_ease", "Ease in and out", "Starts and ends slowly, from this key to the next",
+     "M3 19L8 18L12 12L16 6L21 5"),
+    action_of_kind<document::KeyKind::free>("kind_free", "Free keys", "By its handles in Curves, within the ranges of controls, from this key to the next",
+     "M3 19L9 9L15 15L21 5M5 5L13 13"),
+    action_of_kind<document::KeyKind::overshoot>("kind_overshoot", "Overshooting keys", "By its handles in Curves, beyond the ranges of controls, too, from this key to the next",
+     "M3 19L9 4L15 3L21 8M3 8L21 8"),
 };
 // clang-format on
 
 }  // namespace
+
+std::span<const KeyKindInfo> key_kinds() { return k_key_kinds; }
 
 std::span<const ActionInfo> time_actions() { return k_time_actions; }
 

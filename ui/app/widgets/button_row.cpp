@@ -24,13 +24,13 @@ float ButtonRow::width_of(const Button& button) const {
   return button_width(context_, button.label.c_str(), button.icon, button.text);
 }
 
-bool ButtonRow::show_one(const Button& button, float width) {
+bool ButtonRow::show_one(const Button& button, float width, bool text) {
   if (button.shows) {
     button.shows(context_, width);
     return false;
   }
   ImGui::BeginDisabled(!button.enabled);
-  ButtonLook look{width, button.chosen, button.tip.c_str(), button.icon, button.text};
+  ButtonLook look{width, button.chosen, button.tip.c_str(), button.icon, text};
   const bool pressed = icon_button(context_, button.label.c_str(), look);
   ImGui::EndDisabled();
   if (pressed && button.does) button.does();
@@ -51,18 +51,18 @@ float ButtonRow::show(float width) {
   float used = 0;
   while (shown < buttons_.size() && used + widths[shown] <= room) {
     if (shown > 0) ImGui::SameLine();
-    show_one(buttons_[shown], widths[shown]);
+    show_one(buttons_[shown], widths[shown], buttons_[shown].text);
     used += widths[shown++] + spacing;
   }
   if (shown == buttons_.size()) return std::max(0.0F, used - spacing);
   if (shown > 0) ImGui::SameLine();
   const std::string more = std::string("More##") + name_;
-  if (icon_button(context_, more.c_str(), {context_.unit, false, "What has no room here", icon::k_more, false})) {
+  if (icon_button(context_, more.c_str(), {context_.unit, false, "More buttons", icon::k_more, false})) {
     ImGui::OpenPopup(name_);
   }
   if (begin_menu(context_, name_)) {
     for (; shown < buttons_.size(); ++shown) {
-      if (show_one(buttons_[shown], std::max(widths[shown], 6 * context_.unit))) ImGui::CloseCurrentPopup();
+      if (show_one(buttons_[shown], std::max(widths[shown], 6 * context_.unit), true)) ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
   }

@@ -32,7 +32,7 @@ class ButtonRow {
 
  private:
   [[nodiscard]] float width_of(const Button& button) const;
-  bool show_one(const Button& button, float width);
+  bool show_one(const Button& button, float width, bool text);
 
   PanelContext& context_;
   const char* name_;

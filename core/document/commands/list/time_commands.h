@@ -68,7 +68,8 @@ struct MoveKeys : OfKeys {
 };
 Changed run(const Document&, const MoveKeys&, ApplyParts&);
 
-/// How controls go on from keys. A key that becomes free or overshooting keeps the slopes that it has. Errors: KeyKind::none.
+/// How controls go on from keys. A key that becomes free or overshooting keeps the slopes that it has. Errors:
+/// KeyKind::none.
 struct SetKeyKind : OfKeys {
   static constexpr Called k_called{"set_key_kind", "Change interpolation"};
   KeyKind kind = KeyKind::smooth;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/document/commands/command_text.h"
+#include "core/document/time/timeline.h"
 
 namespace penpose::io {
 namespace {
@@ -72,6 +73,12 @@ Problem read_curve(const json::Json& value, const std::string& pointer, std::siz
     return project_error("as many vectors as points were expected", json::child(pointer, "aside"));
   const bool fits = out.kept.size() == (out.role == PoseCurveRole::constraint ? out.points.size() : 0);
   if (out.points.empty() || !fits) return project_error("the curve's lists do not fit each other", pointer);
+  if (const json::Json* time = json::find(value, "time_s"); time != nullptr) {
+    const auto seconds = json::number(*time);
+    if (!seconds || !(*seconds >= 0 && *seconds <= document::k_latest_key_s))
+      return project_error("a moment of the timeline was expected", json::child(pointer, "time_s"));
+    out.time_s = *seconds;
+  }
   if (const json::Json* target = json::find(value, "target"); target != nullptr) {
     if (out.role == PoseCurveRole::constraint)
       return project_error("a constraint has no target", json::child(pointer, "target"));
@@ -130,6 +137,7 @@ json::Json curve_to_json(const PoseCurve& curve) {
     for (const auto& v : curve.aside) aside.push_back(row(v));
     out["aside"] = std::move(aside);
   }
+  if (curve.time_s != 0.0) out["time_s"] = curve.time_s;
   if (!curve.target) return out;
   const document::DrawnTarget& target = *curve.target;
   json::Json line = json::Json::array();

@@ -9,10 +9,11 @@ namespace penpose::io {
 /// What a project has beyond its model, the member "project" of the root's extras:
 ///
 /// {"curves": [{"id", "role": "reference"|"constraint", "points": [[triangle, b0, b1, b2], ...], "kept": [[x, y, z],
-/// ...], "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}], "last_curve",
-/// "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
+/// ...], "time_s", "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}],
+/// "last_curve", "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
 /// {"keys": [{"time_s", "pose": [value, ...], "name" (if it has one), "controls": [[parameter, kind, in, out], ...]
-/// (those that have a key, in, out only where the kind is "free" or "overshoot"; where all are smooth there is no list)}]}, "views":
+/// (those that have a key, in, out only where the kind is "free" or "overshoot"; where all are smooth there is no
+/// list)}]}, "views":
 /// [{"name", "view"}], "sound": {"file", "content", "offset_s"}, "mouths": [{"name", "values": {control: value}}],
 /// "spoken": [{"time_s", "mouth"}]}, the last three if there are any. Views and commands are written as
 /// core/document/commands/command_text.h says; "pose" is in the order of the model's parameters.

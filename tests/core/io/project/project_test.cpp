@@ -64,6 +64,7 @@ DocumentHand full_hand() {
   hand.does(SetMouth{"rest", {}});
   hand.does(KeyMouths{{0.5, 0.75}, {"open", "rest"}});
   hand.does(GoToTime{1.0 / 3});
+  hand.does(DrawReference{hand.view, hand.line(-0.3, -0.2, 0.3, -0.2)});
   hand.does(SaveView{"front/top", hand.view});
   View side = hand.view;
   side.camera.eye = {1.0 / 3, 0.2, 5};

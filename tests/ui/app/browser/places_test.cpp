@@ -6,7 +6,7 @@ namespace penpose::app {
 namespace {
 
 TEST(Places, TheyComeFromTheUsersFoldersTheMountsAndWhatWasOpened) {
-  const std::vector<std::string> recent{"/work/heads/a.glb", "/work/heads/b.glb", "/home/u/c.glb", "/data/d.glb"};
+  const std::vector<std::string> recent{"/films/heads/a.glb", "/films/heads/b.glb", "/home/u/c.glb", "/data/d.glb"};
   PlaceSources sources;
   sources.home = "/home/u";
   sources.user_folders =
@@ -14,15 +14,15 @@ TEST(Places, TheyComeFromTheUsersFoldersTheMountsAndWhatWasOpened) {
   sources.mounts =
       "22 1 8:1 / / rw - ext4 /dev/sda1 rw\n36 22 8:17 / /media/u/My\\040Stick rw - vfat /dev/sdb1 rw\n"
       "37 22 0:5 / /proc rw - proc proc rw\nbroken\n";
-  sources.project = "/work/shot/face.penpose.glb";
+  sources.project = "/films/shot/face.penpose.glb";
   sources.recent = recent;
   const auto places = file_places(sources);
   std::vector<std::string> said;
   for (const FilePlace& one : places) said.push_back(one.label + "=" + one.path);
   EXPECT_EQ(said,
             (std::vector<std::string>{"Home=/home/u", "Desktop=/home/u/Schreibtisch", "Documents=/srv/papers",
-                                      "Pictures=/home/u/Pictures", "Downloads=/home/u/Downloads", "Project=/work/shot",
-                                      "My Stick=/media/u/My Stick", "heads=/work/heads", "data=/data"}));
+                                      "Pictures=/home/u/Pictures", "Downloads=/home/u/Downloads", "Project=/films/shot",
+                                      "My Stick=/media/u/My Stick", "heads=/films/heads", "data=/data"}));
 }
 
 TEST(Places, WithoutAHomeThereAreOthers) {

@@ -191,7 +191,7 @@ TEST_F(FilmDesk, APlayblastWithoutAProjectGoesWhereTheUserKeepsFilms) {
   EXPECT_EQ(files_in(desk_.path("Films here/head-playblast")), 2U);
 }
 
-TEST_F(FilmDesk, EscapeGivesUpAndLeavesNothing) {
+TEST_F(FilmDesk, CancelGivesUpAndLeavesNothing) {
   desk_.click("Key");
   desk_.app->of<Playback>().go_to(400);
   desk_.click("Key");
@@ -206,6 +206,8 @@ TEST_F(FilmDesk, EscapeGivesUpAndLeavesNothing) {
   EXPECT_EQ(writer().job()->progress().all, 9601U);
   EXPECT_NE(desk_.interface->find("film progress"), nullptr);
   desk_.hit_escape();
+  EXPECT_TRUE(writer().writes()) << "a key that closes things does not throw it away";
+  desk_.click("Cancel##film progress");
   ASSERT_TRUE(wait());
   EXPECT_EQ(said().text.substr(0, 9), "given up:");
   EXPECT_EQ(files_in(desk_.path("Videos")), 0U);

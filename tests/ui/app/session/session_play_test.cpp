@@ -100,9 +100,9 @@ TEST(SessionPlay, ADivergenceIsToldWithItsLineAndWhatDiffers) {
   std::istringstream lines(text);
   for (std::string one; std::getline(lines, one) && !one.starts_with("# penpose do set_key");) ++line;
   EXPECT_EQ(played.divergence->line, line + 2) << "the state after the key";
-  EXPECT_EQ(played.divergence->parts, (std::vector<std::string_view>{"parameters", "keys"}));
+  EXPECT_EQ(played.divergence->parts, (std::vector<std::string_view>{"parameters", "curves", "keys"}));
   EXPECT_NE(played.said.find("line " + std::to_string(line + 2)), std::string::npos) << played.said;
-  EXPECT_NE(played.said.find("parameters, keys"), std::string::npos) << played.said;
+  EXPECT_NE(played.said.find("parameters, curves, keys"), std::string::npos) << played.said;
 }
 
 // The session began on a project that was then saved over: `penpose replay` and the app find the copy that was kept.

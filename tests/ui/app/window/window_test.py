@@ -175,7 +175,7 @@ def use(program, screen, folder):
     project = os.path.join(folder, "head.glb")
     # The dialog's own button, found as a user finds it: it is in the middle of the window.
     screen.key("ctrl+s")
-    screen.click(417, 562)
+    screen.click(330, 586)
     wait_for("the project", lambda: os.path.exists(project))
     screen.picture("7_saved")
     quit_window(screen, process)
@@ -258,7 +258,7 @@ def pen_alone(program, screen, folder, session):
     pen.tap(459, 694)  # Key
     pen.tap(34, 23)  # Menu
     pen.tap(168, 151)  # Save
-    pen.tap(417, 562)  # the button of that name
+    pen.tap(330, 586)  # the button of that name
     trace = os.path.join(folder, "alone.hid")
     with open(trace, "w") as out:
         out.writelines(pen.lines)

@@ -71,7 +71,7 @@ TEST_F(ReplayCommand, NamesTheLineAndThePartsOfADivergence) {
   const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(key), '\n') + 2;
   EXPECT_EQ(json()["divergence"]["line"], line);
   EXPECT_NE(error_.find("edited.session: line " + std::to_string(line) + ":"), std::string::npos) << error_;
-  EXPECT_NE(error_.find("different are: parameters, keys"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("different are: parameters, curves, keys"), std::string::npos) << error_;
 }
 
 TEST_F(ReplayCommand, AMissingModelIsNamedWithTheRemedy) {

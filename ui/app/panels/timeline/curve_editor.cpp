@@ -14,6 +14,7 @@
 namespace penpose::app {
 namespace {
 
+constexpr float k_handle_inset_px = 4;
 constexpr float k_margin_share = 0.1F;
 constexpr float k_curve_step_px = 3;
 constexpr float k_point_units = 0.17F;
@@ -63,8 +64,10 @@ std::vector<Handle> handles_of(const TimelineOwners& with, const Graph& graph) {
     const auto add = [&](bool incoming, double other_s, double slope) {
       // A third of the way, where a Bezier curve has its control point.
       const double at_s = key.first + (other_s - key.first) / 3;
-      handles.push_back(
-          {key, incoming, {graph.strip.x_of(at_s), graph.y_of(control, value + slope * (at_s - key.first))}});
+      // One that goes beyond the graph can still be taken at its border.
+      const float y = std::clamp(graph.y_of(control, value + slope * (at_s - key.first)),
+                                 graph.strip.from.y + k_handle_inset_px, graph.strip.to().y - k_handle_inset_px);
+      handles.push_back({key, incoming, {graph.strip.x_of(at_s), y}});
     };
     if (before) {
       const auto segment = document::segment_of(timeline, control, *before, *place);

@@ -129,7 +129,8 @@ void show_overlap(PanelContext& context, const Area& /*area*/, EditingSession& e
   const auto high = [&](const std::string& text) {
     return text.empty() ? 0 : ImGui::CalcTextSize(text.c_str(), nullptr, false, inside).y + style.ItemSpacing.y;
   };
-  const float rows = offer.values().leader ? 7 : 6;
+  const bool drawing_small = offer.shows() && free.height() < 14 * static_cast<double>(context.unit);
+  const float rows = drawing_small ? 2 : offer.values().leader ? 7 : 6;
   const float height =
       high(title) + high(said) + rows * (context.unit + style.ItemSpacing.y) + 2 * style.WindowPadding.y;
   const double right = free.right - static_cast<double>(context.gap);
@@ -137,16 +138,19 @@ void show_overlap(PanelContext& context, const Area& /*area*/, EditingSession& e
   if (begin_panel(context, "overlap",
                   {right - width, top, right, std::min(top + static_cast<double>(height), free.bottom)}, true)) {
     ImGui::TextWrapped("%s", title.c_str());
-    show_leader(context, with);
-    show_values(context, with);
-    if (wide_button(context, "Show by drawing##overlap", -1, offer.shows(),
-                    "Draw once where the trailing part should be: the softness is found, and the drawing taken back"))
-      offer.show_by_drawing(!offer.shows());
-    if (!said.empty()) ImGui::TextWrapped("%s", said.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
     if (wide_button(context, "Bake##overlap", half, false, "Key it; one step of Undo takes it back")) offer.bake();
     ImGui::SameLine();
     if (wide_button(context, "Cancel##overlap", half, false, "Everything stays as it was (Esc)")) offer.dismiss();
+    if (wide_button(context, "Show by drawing##overlap", -1, offer.shows(),
+                    "Draw once where the trailing part should be: the softness is found, and the drawing taken back"))
+      offer.show_by_drawing(!offer.shows());
+    if (!said.empty()) ImGui::TextWrapped("%s", said.c_str());
+    // While one draws in a small window the face has the room of the values.
+    if (offer.open() && !drawing_small) {
+      show_leader(context, with);
+      show_values(context, with);
+    }
   }
   end_panel();
 }

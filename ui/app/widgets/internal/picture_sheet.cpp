@@ -1,8 +1,23 @@
 #include "ui/app/widgets/internal/picture_sheet.h"
 
-namespace penpose::app {
+#include <algorithm>
+#include <bit>
 
-void PictureSheet::reserve(ImFontAtlas& atlas) { rect_ = atlas.AddCustomRectRegular(px_ * across_, px_ * across_); }
+namespace penpose::app {
+namespace {
+
+/// No texture of letters is narrower (ImFontAtlas::Build).
+constexpr int k_narrowest_px = 512;
+
+}  // namespace
+
+void PictureSheet::reserve(ImFontAtlas& atlas) {
+  const int side = px_ * across_;
+  rect_ = atlas.AddCustomRectRegular(side, side);
+  // Few letters alone make a texture that is narrower, in which there is no room.
+  const auto wide_enough = static_cast<int>(std::bit_ceil(static_cast<unsigned>(side + atlas.TexGlyphPadding)));
+  if (wide_enough > k_narrowest_px) atlas.TexDesiredWidth = std::max(atlas.TexDesiredWidth, wide_enough);
+}
 
 bool PictureSheet::ready() const { return reserved() && ImGui::GetIO().Fonts->TexPixelsRGBA32 != nullptr; }
 

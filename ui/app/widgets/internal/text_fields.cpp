@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -11,15 +12,18 @@
 namespace penpose::app {
 namespace {
 
-/// Whether the cursor was placed in the field of a dialog that has just taken the keyboard.
-struct FieldCursor {
-  bool placed = true;
+/// Of the dialog's field that was shown last.
+struct ShownField {
+  bool placed = true;  ///< whether its cursor was placed since it took the keyboard
+  std::string label;
+  std::string text;  ///< as it was shown
 };
 
 /// What a field asks while it is typed into.
 struct FieldAsks {
   bool& placed;
   const TextCompleter* complete;
+  const std::string* other;  ///< what the text became without being typed, or null
 };
 
 /// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
@@ -33,16 +37,21 @@ void place_cursor(ImGuiInputTextCallbackData& data) {
   data.SelectionEnd = data.CursorPos;
 }
 
+void write(ImGuiInputTextCallbackData& data, const std::string& text) {
+  if (text == data.Buf) return;
+  data.DeleteChars(0, data.BufTextLen);
+  data.InsertChars(0, text.c_str());
+}
+
 int answer_field(ImGuiInputTextCallbackData* data) {
   const auto& asks = *static_cast<FieldAsks*>(data->UserData);
-  if (data->EventFlag != ImGuiInputTextFlags_CallbackCompletion) {
-    if (!std::exchange(asks.placed, true)) place_cursor(*data);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    write(*data, (*asks.complete)(data->Buf));
     return 0;
   }
-  const std::string text = (*asks.complete)(data->Buf);
-  if (text == data->Buf) return 0;
-  data->DeleteChars(0, data->BufTextLen);
-  data->InsertChars(0, text.c_str());
+  // A field that is typed into keeps its own text.
+  if (asks.other != nullptr) write(*data, *asks.other);
+  if (!std::exchange(asks.placed, true)) place_cursor(*data);
   return 0;
 }
 
@@ -57,16 +66,20 @@ void note_field(PanelContext& context, const char* label) {
 void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint,
                   const TextCompleter* complete) {
   context.has_field = true;
+  ShownField& shown = context.own.of<ShownField>();
   if (context.field_first) {
     ImGui::SetKeyboardFocusHere();
-    context.own.of<FieldCursor>().placed = false;
+    shown.placed = false;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(-1);
-  FieldAsks asks{context.own.of<FieldCursor>().placed, complete};
+  const std::string now = text;
+  FieldAsks asks{shown.placed, complete, shown.label == label && shown.text != now ? &now : nullptr};
   ImGuiInputTextFlags flags = ImGuiInputTextFlags_CallbackAlways;
   if (complete != nullptr) flags |= ImGuiInputTextFlags_CallbackCompletion;
   ImGui::InputTextWithHint(label, hint, &text, flags, answer_field, &asks);
+  shown.label = label;
+  shown.text = text;
   note_field(context, label);
   ImGui::PopStyleVar();
 }
@@ -75,7 +88,9 @@ bool text_field(PanelContext& context, const char* label, std::string& text, flo
                 bool* accepted) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(width);
-  const bool changed = ImGui::InputTextWithHint(label, hint, &text);
+  // A value is typed over as a whole.
+  const ImGuiInputTextFlags flags = accepted != nullptr ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+  const bool changed = ImGui::InputTextWithHint(label, hint, &text, flags);
   note_field(context, label);
   if (accepted != nullptr) {
     *accepted = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||

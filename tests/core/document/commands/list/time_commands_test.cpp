@@ -223,6 +223,25 @@ TEST(ApplyTimeline, OnlyAKeyThatIsAskedToOvershootLeavesTheRange) {
   EXPECT_LE(lift(1.1), 1);
 }
 
+TEST(ApplyTimeline, ALineBelongsToTheMomentAtWhichItWasDrawn) {
+  DocumentHand hand;
+  key(hand, 0, 0.1);
+  key(hand, 2, 0.6);
+  hand.does(GoToTime{1});
+  hand.does(DrawReference{hand.view, hand.line(-0.5, 0.5, 0.5, 0.5)});
+  const auto time = [&] { return hand.document().curves.front()->time_s; };
+  EXPECT_EQ(time(), 1);
+  hand.does(SetKey{1.5, "", {}});
+  EXPECT_EQ(time(), 1.5) << "it goes along with its pose";
+  hand.does(AddClip{"other"});
+  hand.does(ShowClip{0});
+  EXPECT_EQ(time(), 1.5);
+  hand.does(GoToTime{0.25});
+  EXPECT_EQ(time(), 1.5);
+  hand.does(DrawTarget{hand.document().curves.front()->id, hand.view, hand.line(-0.5, 0.6, 0.5, 0.6), {}});
+  EXPECT_EQ(time(), 0.25);
+}
+
 TEST(ApplyTimeline, ABreakdownStandsBetweenItsNeighbours) {
   DocumentHand hand;
   key(hand, 1, 0.2);

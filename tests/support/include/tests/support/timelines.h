@@ -30,8 +30,7 @@ inline rig::Pose sampled(const Timeline& timeline, double time_s) {
 }
 
 inline constexpr std::array k_kinds{KeyKind::smooth,   KeyKind::linear, KeyKind::stepped, KeyKind::ease_in,
-                                    KeyKind::ease_out, KeyKind::ease,   KeyKind::free,
-                                    KeyKind::overshoot};
+                                    KeyKind::ease_out, KeyKind::ease,   KeyKind::free,    KeyKind::overshoot};
 
 /// All keys of all controls in one kind.
 inline Timeline with_kind(Timeline timeline, KeyKind kind, double slope = 0) {
