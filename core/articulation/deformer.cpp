@@ -30,7 +30,7 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
 /// The reference curve, inferred or drawn, which stays on one sheet but for deformers of the paper.
 base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                           std::span<const std::uint32_t> specific, std::size_t points,
-                                          std::optional<std::uint32_t> without) {
+                                          const MeantTriangles& meant) {
   if (sketch.reference.empty()) {
     auto inferred = infer_reference(canvas, region, specific, points);
     if (!inferred) return at("specific", inferred.error());
@@ -44,7 +44,7 @@ base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& ca
     return SheetReference{std::move(*drawn), {}, 1};
   }
   auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
-                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, without);
+                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, meant);
   if (!drawn) return at("reference", drawn.error());
   return drawn;
 }
@@ -108,11 +108,11 @@ struct Curves {
   KeptSurface surface;
 };
 
-/// Both curves, the target still where it was drawn before what is seen; `without`: as of sheet_reference.
+/// Both curves, the target still where it was drawn before what is seen; `meant`: as of sheet_reference.
 base::Result<Curves> drawn_curves(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                   std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
-                                  std::size_t points, std::optional<std::uint32_t> without = std::nullopt) {
-  auto reference = reference_of(sketch, canvas, region, specific, points, without);
+                                  std::size_t points, const MeantTriangles& meant = {}) {
+  auto reference = reference_of(sketch, canvas, region, specific, points, meant);
   if (!reference) return reference.error();
   if (sketch.reference.empty() && !sketch.paper)
     begin_where_attached(canvas, region, specific, target_camera, sketch.target, reference->points);
@@ -125,27 +125,43 @@ base::Result<Curves> drawn_curves(const Sketch& sketch, const Canvas& canvas, co
   return curves;
 }
 
-/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one; a line that was drawn
-/// along a margin and touches the ball beside it is meant for the margin.
+/// The ball that the curves lie on, if they do. A line that was drawn over a lid is meant for its margin, though it
+/// touches the eye or its lashes beside it: where the margin lies on a ball, the curves become those of the margin.
+void find_ball(const Sketch& sketch, const Canvas& canvas, const Region& region,
+               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera, std::size_t points,
+               Curves& curves) {
+  const auto pieces = canvas.mesh().components();
+  const std::uint32_t own = pieces[region.vertices.front()];
+  for (const Ball& ball : balls_about(canvas, own, curves.reference)) {
+    const auto outside = [&](std::uint32_t v) { return !ball.hides(canvas.positions()[v]); };
+    const auto meant = [&](const mesh::Triangle& t) {
+      return pieces[t[0]] == own && std::any_of(t.begin(), t.end(), outside);
+    };
+    std::optional<Curves> margin;
+    if (!sketch.reference.empty()) {
+      auto drawn = drawn_curves(sketch, canvas, region, specific, target_camera, points, meant);
+      if (!drawn || !all_finite(drawn->target)) continue;
+      margin = std::move(*drawn);
+    }
+    const Curves& some = margin ? *margin : curves;
+    auto held = ball_under(canvas, ball, {some.reference, some.target, target_camera});
+    if (!held) continue;
+    if (margin) curves = std::move(*margin);
+    curves.surface = KeptSurface(std::move(held));
+    return;
+  }
+}
+
+/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one.
 base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
                                const KeptSurface& surface, std::size_t points) {
   auto curves = drawn_curves(sketch, canvas, region, specific, target_camera, points);
   if (!curves) return curves;
   curves->surface = surface;
-  if (std::holds_alternative<std::monostate>(sketch.surface) && !sketch.paper && all_finite(curves->target)) {
-    const auto under = [&](const Curves& some) {
-      return ball_under(canvas, region.vertices.front(), {some.reference, some.target, target_camera});
-    };
-    auto ball = under(*curves);
-    if (ball && !sketch.reference.empty()) {
-      auto beside = drawn_curves(sketch, canvas, region, specific, target_camera, points, ball->piece);
-      if (beside && all_finite(beside->target)) {
-        ball = under(*beside);
-        if (ball) *curves = std::move(*beside);
-      }
-    }
-    if (ball) curves->surface = KeptSurface(std::move(ball->held));
+  const bool chosen = sketch.paper || !std::holds_alternative<std::monostate>(sketch.surface);
+  if (!chosen && all_finite(curves->target)) {
+    find_ball(sketch, canvas, region, specific, target_camera, points, *curves);
   }
   lift_onto_surface(target_camera, curves->surface, curves->reference, curves->target);
   if (!all_finite(curves->reference) || !all_finite(curves->target)) {
@@ -294,8 +310,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             std::move(curves->reference),
                             std::move(curves->target),
                             curves->surface,
-                            !sketch.betweens.empty(),
-                            std::holds_alternative<std::monostate>(sketch.surface)};
+                            !sketch.betweens.empty()};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;

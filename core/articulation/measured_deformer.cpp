@@ -140,22 +140,19 @@ class Trial {
   }
 
   /// Gives way where the surface is torn or stretched beyond the bound at either end of the range (relaxation.h): what
-  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept. Where a margin that
-  /// slides is torn all the same, it had better end where it was drawn.
+  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept.
   void hold(Outcome& outcome, const Judge& judge) {
-    Outcome held = held_of(outcome, judge, relaxation_, k_on_line);
-    if (parts_.firm && outcome.motion->slide() != nullptr && !judge.holds(held.strain)) {
-      held = held_of(outcome, judge, firm_relaxation_, k_beside_line);
-    }
+    Outcome held = outcome;
+    hold_at(range_.maximum, held, judge);
+    if (range_.minimum < 0.0) hold_at(range_.minimum, held, judge);
+    measure(held);
     if (judge.better(held.strain, outcome.strain, 1.0)) outcome = std::move(held);
   }
 
  private:
-  /// What lies as near to the curve as that, in its lengths, lies on it.
-  static constexpr double k_on_line = 1e-6;
-  static constexpr double k_beside_line = 0.005;
   static constexpr double k_near = 0.025;
-  static constexpr double k_safe = 0.97;  ///< other amounts stretch a little more
+  static constexpr double k_leash = 0.02;  ///< in lengths of the curve, on it; longer by as much as a node is beside it
+  static constexpr double k_safe = 0.97;   ///< other amounts stretch a little more
   static constexpr int k_hold_rounds = 20;
   static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
@@ -173,26 +170,17 @@ class Trial {
     for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(skin, share * range_.maximum));
   }
 
-  [[nodiscard]] Outcome held_of(const Outcome& outcome, const Judge& judge, std::optional<Relaxation>& relaxation,
-                                double on_line) {
-    if (!relaxation) {
-      const double near = k_near * length_;
-      std::vector<double> give(parts_.patch.inner_count());
-      for (std::size_t node = 0; node < give.size(); ++node) {
-        const double square = influence_.distances[node] * influence_.distances[node];
-        give[node] = square > on_line * on_line * length_ * length_ ? square / (square + near * near) : 0.0;
-      }
-      relaxation.emplace(parts_.patch, std::move(give));
-    }
-    Outcome held = outcome;
-    hold_at(range_.maximum, held, judge, *relaxation);
-    if (range_.minimum < 0.0) hold_at(range_.minimum, held, judge, *relaxation);
-    measure(held);
-    return held;
-  }
-
-  void hold_at(double amount, Outcome& held, const Judge& judge, Relaxation& relaxation) {
+  void hold_at(double amount, Outcome& held, const Judge& judge) {
     const std::size_t n = parts_.patch.inner_count();
+    if (!relaxation_) {
+      const double near = k_near * length_;
+      std::vector<double> give(n);
+      for (std::size_t node = 0; node < n; ++node) {
+        const double square = influence_.distances[node] * influence_.distances[node];
+        give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
+      }
+      relaxation_.emplace(parts_.patch, std::move(give));
+    }
     Strain strain = at(CurveSkin(held.motion, parts_.surface, held.bindings, false), amount);
     if (judge.passes(strain)) return;
     const std::vector<ModelVector> before(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
@@ -209,16 +197,10 @@ class Trial {
         grow(marked);
         stiff = marked;
         grow(marked, 1 + round / 2);
-        relaxation.unfold(stiff, marked, k_unfold_sweeps, places);
+        relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
       }
-      if (strain.stretch > judge.bound) relaxation.limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
-      if (held.motion->slide() != nullptr) {
-        // Along the axis every node stays where the slide brings it: that is the width of its row.
-        const ModelVector& axis = held.motion->slide()->axis();
-        for (std::size_t node = 0; node < n; ++node) {
-          places[node] -= axis * glm::dot(axis, places[node] - parts_.patch.rests()[node] - before[node]);
-        }
-      }
+      if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
+      if (held.motion->slide() != nullptr) keep_sliding(held.motion->slide()->axis(), before, places);
       for (std::size_t node = 0; node < n; ++node) moves_[node] = places[node] - parts_.patch.rests()[node];
       strain = meter_.measure(moves_);
       if (!judge.better(strain, nearest, 1.0)) continue;
@@ -236,6 +218,20 @@ class Trial {
       } else {
         own.move = best[node] / amount;
       }
+    }
+  }
+
+  /// Brings places that gave way back onto the surface that they slide over. Along the axis every node stays where the
+  /// slide brings it: that is the width of its row. What lies on the curve stays within a leash of where it was drawn.
+  void keep_sliding(const ModelVector& axis, std::span<const ModelVector> before, std::span<ModelPoint> places) const {
+    for (std::size_t node = 0; node < before.size(); ++node) {
+      const ModelPoint& rest = parts_.patch.rests()[node];
+      ModelVector way = places[node] - rest - before[node];
+      way -= axis * glm::dot(axis, way);
+      const double most = k_leash * length_ + influence_.distances[node];
+      const double size = geometry::length(way);
+      if (size > most) way *= most / size;
+      places[node] = parts_.surface.keep(rest + before[node] + way, rest, parts_.surface.level(rest));
     }
   }
 
@@ -266,7 +262,6 @@ class Trial {
   CurveSkinWorkspace work_;
   std::vector<ModelVector> moves_;
   std::optional<Relaxation> relaxation_;
-  std::optional<Relaxation> firm_relaxation_;
 };
 
 }  // namespace

@@ -20,7 +20,6 @@ struct MeasuredParts {
   std::vector<ModelPoint> target;
   KeptSurface surface;
   bool whole = false;  ///< also keep vertices that do not move, and the motion of the nodes
-  bool firm = false;   ///< a margin that slides ends at its target also where that tears it
 };
 
 /// The range of a deformer's parameter.

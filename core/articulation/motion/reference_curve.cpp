@@ -90,13 +90,10 @@ void begin_where_attached(const Canvas& canvas, const Region& region, std::span<
 
 base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                              std::span<const PxPoint> stroke, std::size_t count,
-                                             curve::SheetChoice choice, std::optional<std::uint32_t> without) {
+                                             curve::SheetChoice choice, const MeantTriangles& meant) {
   const double around = (curve::k_farthest_stick + 1.0) * curve::k_stick_px * camera.viewport().height / 1000.0;
   auto triangles = triangles_under(canvas, camera, stroke, around);
-  if (without) {
-    const auto pieces = canvas.mesh().components();
-    std::erase_if(triangles, [&](const mesh::Triangle& t) { return pieces[t[0]] == *without; });
-  }
+  if (meant) std::erase_if(triangles, [&](const mesh::Triangle& t) { return !meant(t); });
   if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
   std::vector<glm::vec3> positions;
   positions.reserve(canvas.positions().size());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,12 +49,14 @@ struct SheetReference {
   double kept = 1;                 ///< share of the line that was not cut off
 };
 
-/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two. It is never on the
-/// piece `without` of the model (mesh::TriangleMesh::components), which the line may cross all the same. Errors: as
-/// drawn_reference; no other sheet.
+/// Whether a triangle of the model may be meant.
+using MeantTriangles = std::function<bool(const mesh::Triangle&)>;
+
+/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two. Where
+/// some triangles are meant, it is on those, whatever else the line crosses. Errors: as drawn_reference; no other
+/// sheet.
 [[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                                            std::span<const PxPoint> stroke, std::size_t count,
-                                                           curve::SheetChoice choice,
-                                                           std::optional<std::uint32_t> without = std::nullopt);
+                                                           curve::SheetChoice choice, const MeantTriangles& meant = {});
 
 }  // namespace penpose::articulation

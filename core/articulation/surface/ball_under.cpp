@@ -34,17 +34,10 @@ constexpr double k_true = 0.008;
 /// What lies farther out or in is no part of a ball, such as the nerve behind an eye, or an iris set in.
 constexpr double k_highest_rise = 1.25;
 constexpr double k_lowest_rise = 0.85;
-/// How much of its height above the ball a point keeps where the ball pushes it out.
-constexpr double k_clear = 0.01;
 
 struct Piece {
   std::size_t vertices = 0;
   geometry::Box box;
-};
-
-struct Ball {
-  ModelPoint center{0};
-  double radius = 0;
 };
 
 double median(std::vector<double> values) {
@@ -162,37 +155,31 @@ class HeldBall : public HeldSurface {
   HeldBall(const Ball& ball, std::optional<Heights> heights) : ball_(ball), heights_(std::move(heights)) {}
 
   [[nodiscard]] bool consists_of(std::uint32_t /*vertex*/, const ModelPoint& /*rest*/) const override { return false; }
-  [[nodiscard]] double level(const ModelPoint& rest) const override { return geometry::distance(rest, ball_.center); }
+  /// The height above the ball.
+  [[nodiscard]] double level(const ModelPoint& rest) const override {
+    const ModelVector way = rest - ball_.center;
+    const double size = geometry::length(way);
+    return size > 0.0 ? size - surface(way / size) : -ball_.radius;
+  }
   [[nodiscard]] ModelPoint keep(const ModelPoint& moved, const ModelPoint& rest, double level) const override {
-    ModelVector way = moved - ball_.center;
-    double size = geometry::length(way);
-    if (!(size > 1e-12 * level)) {
-      way = rest - ball_.center;
-      size = level;
-    }
-    if (!(size > 0.0)) return rest;
-    way /= size;
-    const double before = heights_ && level > 0.0 ? heights_->at((rest - ball_.center) / level) : ball_.radius;
-    return ball_.center + way * over(way, level, before);
+    const ModelVector from = rest - ball_.center;
+    const ModelVector way = geometry::normalized(moved - ball_.center, geometry::normalized(from, ModelVector{0}));
+    return ball_.center + way * (surface(way) + level);
   }
   [[nodiscard]] double lift(const geometry::Ray& ray, double near, double level) const override {
     constexpr int k_rounds = 6;
-    double at = meets(ray, ball_.center, level, near);
+    double at = meets(ray, ball_.center, ball_.radius + level, near);
     for (int i = 0; heights_ && i < k_rounds; ++i) {
       const ModelVector way = geometry::normalized(ray.origin + ray.direction * at - ball_.center, -ray.direction);
-      at = meets(ray, ball_.center, over(way, level, std::min(level, heights_->at(way))), at);
+      at = meets(ray, ball_.center, surface(way) + level, at);
     }
     return at > 0.0 ? at : near;
   }
   [[nodiscard]] std::optional<ModelPoint> center() const override { return ball_.center; }
 
  private:
-  /// Where a point goes in a direction that was at a level above a height: no deeper than it was, and a little above
-  /// where it was above.
-  [[nodiscard]] double over(const ModelVector& way, double level, double before) const {
-    if (!heights_) return level;
-    return std::max(level, heights_->at(way) + std::min(level - before, k_clear * ball_.radius));
-  }
+  /// How far the surface is from the centre in a direction.
+  [[nodiscard]] double surface(const ModelVector& way) const { return heights_ ? heights_->at(way) : ball_.radius; }
 
   Ball ball_;
   std::optional<Heights> heights_;
@@ -243,47 +230,54 @@ std::vector<std::uint32_t> pieces_about(const Canvas& canvas, std::uint32_t own,
   return about;
 }
 
-}  // namespace
-
-std::optional<BallUnder> ball_under(const Canvas& canvas, std::uint32_t vertex, const CurvesOverBall& curves) {
-  const auto of = canvas.mesh().components();
-  std::optional<Ball> ball;
-  std::uint32_t piece = 0;
-  for (const std::uint32_t one : pieces_about(canvas, of[vertex], curves.reference)) {
-    std::vector<ModelPoint> points;
-    for (std::size_t v = 0; v < of.size(); ++v) {
-      if (of[v] == one) points.push_back(canvas.positions()[v]);
-    }
-    const auto found = fitted_ball(points);
-    // Of balls within each other the curve lies on the outermost.
-    if (!found || !lies_on(*found, curves) || (ball && found->radius <= ball->radius)) continue;
-    ball = found;
-    piece = one;
-  }
-  if (!ball) return std::nullopt;
+/// The heights of a ball's surface, where that is no true sphere.
+std::optional<Heights> heights_of(const Canvas& canvas, const Ball& ball, const CurvesOverBall& curves) {
   std::vector<mesh::Triangle> about;
   double least = std::numeric_limits<double>::max();
   double most = 0;
   for (const mesh::Triangle& t : canvas.mesh().triangles()) {
-    if (of[t[0]] != piece) continue;
+    if (canvas.mesh().components()[t[0]] != ball.piece) continue;
     bool whole = true;
     for (const std::uint32_t v : t) {
-      const double level = geometry::distance(canvas.positions()[v], ball->center);
-      whole = whole && level < k_highest_rise * ball->radius;
+      const double level = geometry::distance(canvas.positions()[v], ball.center);
+      whole = whole && level < k_highest_rise * ball.radius;
       least = std::min(least, level);
       most = std::max(most, level);
     }
     if (whole) about.push_back(t);
   }
-  std::optional<Heights> heights;
-  if (most - least > k_true * ball->radius) {
-    ModelVector axis{0};
-    for (std::size_t i = 0; i < curves.reference.size(); ++i) {
-      axis += curves.reference[i] + curves.target[i] - ball->center * 2.0;
-    }
-    heights.emplace(*ball, geometry::normalized(axis, ModelVector{0, 0, 1}), canvas.positions(), about);
+  if (most - least <= k_true * ball.radius) return std::nullopt;
+  ModelVector axis{0};
+  for (std::size_t i = 0; i < curves.reference.size(); ++i) {
+    axis += curves.reference[i] + curves.target[i] - ball.center * 2.0;
   }
-  return BallUnder{std::make_shared<const HeldBall>(*ball, std::move(heights)), piece};
+  return Heights(ball, geometry::normalized(axis, ModelVector{0, 0, 1}), canvas.positions(), about);
+}
+
+}  // namespace
+
+bool Ball::hides(const ModelPoint& point) const { return geometry::distance(point, center) < k_lowest * radius; }
+
+std::vector<Ball> balls_about(const Canvas& canvas, std::uint32_t own, std::span<const ModelPoint> curve) {
+  const auto of = canvas.mesh().components();
+  std::vector<Ball> balls;
+  for (const std::uint32_t piece : pieces_about(canvas, own, curve)) {
+    std::vector<ModelPoint> points;
+    for (std::size_t v = 0; v < of.size(); ++v) {
+      if (of[v] == piece) points.push_back(canvas.positions()[v]);
+    }
+    auto ball = fitted_ball(points);
+    if (!ball) continue;
+    ball->piece = piece;
+    balls.push_back(*ball);
+  }
+  std::stable_sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+  return balls;
+}
+
+std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, const Ball& ball, const CurvesOverBall& curves) {
+  if (!lies_on(ball, curves)) return nullptr;
+  return std::make_shared<const HeldBall>(ball, heights_of(canvas, ball, curves));
 }
 
 }  // namespace penpose::articulation

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/surface/held_surface.h"
@@ -18,17 +18,24 @@ struct CurvesOverBall {
   const geometry::Camera& camera;
 };
 
-/// A ball to go around, and the piece of the model that it is.
-struct BallUnder {
-  std::shared_ptr<const HeldSurface> held;
+/// A piece of the model that is a ball.
+struct Ball {
+  ModelPoint center{0};
+  double radius = 0;
   std::uint32_t piece = 0;  ///< mesh::TriangleMesh::components
+
+  /// Whether a point is inside of it, deeper than a lid ever lies.
+  [[nodiscard]] bool hides(const ModelPoint& point) const;
 };
 
-/// The ball that a curve lies on, as the margin of a lid lies on the eye: another piece of the model than that of
-/// `vertex`, most of whose vertices lie on a sphere (a half of one is enough). Points that move over it keep their
-/// distance from its centre, and go around where it bulges, as a cornea does. Nothing where the curve does not lie on a
-/// ball, or the target leaves it as seen from the camera.
-[[nodiscard]] std::optional<BallUnder> ball_under(const Canvas& canvas, std::uint32_t vertex,
-                                                  const CurvesOverBall& curves);
+/// The pieces of the model about a curve, but for `own`, most of whose vertices lie on a sphere; a half of one is
+/// enough. The largest is first: of balls within each other a curve lies on the outermost.
+[[nodiscard]] std::vector<Ball> balls_about(const Canvas& canvas, std::uint32_t own, std::span<const ModelPoint> curve);
+
+/// A ball as the surface that a curve lies on, as the margin of a lid lies on the eye. Points that move over it keep
+/// their height above it, also where it bulges, as a cornea does. Null where the curve does not lie on it, or the
+/// target leaves it as seen from the camera.
+[[nodiscard]] std::shared_ptr<const HeldSurface> ball_under(const Canvas& canvas, const Ball& ball,
+                                                            const CurvesOverBall& curves);
 
 }  // namespace penpose::articulation

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <string>
 
 #include "core/articulation/deformer.h"
+#include "core/articulation/motion/attachment.h"
 #include "core/geometry/closest_point.h"
 #include "tests/support/models/articulation_models.h"
 #include "tests/support/models/marked_face.h"
@@ -25,7 +27,8 @@ struct LidStage {
   Line upper;
   Line lower;
   std::vector<mesh::Triangle> eye;
-  std::uint32_t skin = 0;  ///< the piece that the lids belong to
+  std::uint32_t skin = 0;          ///< the piece that the lids belong to
+  std::vector<ModelPoint> margin;  ///< of the upper lid
 };
 
 Line seen(const geometry::Camera& camera, std::span<const ModelPoint> points) {
@@ -103,7 +106,7 @@ std::shared_ptr<const Deformer> built_lid(const LidStage& stage, Sketch sketch) 
 
 struct Figures {
   double deepest = 0;      ///< in the eye beyond where it was at rest, in its radii
-  double from_target = 0;  ///< of the margin as seen at 1, the farthest, in widths of the eye
+  double from_target = 0;  ///< of the margin as seen at 1, the farthest point, in widths of the eye
   bool slides = false;
 };
 
@@ -116,6 +119,8 @@ Figures measure(const LidStage& stage, const Deformer& lid) {
   const double radius = box.diagonal() / std::sqrt(12.0);
   const auto rest = stage.canvas->positions();
   const double width = geometry::distance(stage.upper.front(), stage.upper.back());
+  const double length = geometry::distance(stage.margin.front(), stage.margin.back());
+  Attachment near(stage.margin);
   Figures figures;
   figures.slides = lid.skin().motion().slide() != nullptr;
   for (int i = 1; i <= 20; ++i) {
@@ -123,11 +128,14 @@ Figures measure(const LidStage& stage, const Deformer& lid) {
     for (std::size_t k = 0; k < moves.size(); ++k) {
       const ModelPoint& was = rest[lid.vertices()[k]];
       if (geometry::length(moves[k]) < 1e-3 * radius) continue;
+      // What lies behind the middle of the eye is its socket, not its lid.
+      if (glm::dot(was - box.center(), stage.camera.eye() - box.center()) < 0) continue;
       const double before = std::min(0.0, eye.signed_distance(was));
       figures.deepest = std::max(figures.deepest, (before - eye.signed_distance(was + moves[k])) / radius);
       if (i != 20 || lid.weights()[k] < 0.999) continue;
-      const double off = distance_to(*stage.camera.project(was), lid.sketch().reference);
-      if (off > 0.01 * width) continue;
+      // Of the margin alone: what else is under the line as it is seen lies behind.
+      near.attach(was);
+      if (near.distance() > 0.01 * length) continue;
       const double now = distance_to(*stage.camera.project(was + moves[k]), lid.sketch().target);
       figures.from_target = std::max(figures.from_target, now / width);
     }
@@ -135,10 +143,7 @@ Figures measure(const LidStage& stage, const Deformer& lid) {
   return figures;
 }
 
-/// Whether a lid may fold its rim: where two thick rims meet in a corner, neither has a place to go.
-enum class Rims { whole, folded };
-
-void expect_lid(const LidStage& stage, Reach reach, double closed, Rims rims = Rims::whole) {
+void expect_lid(const LidStage& stage, Reach reach, double closed) {
   const std::string name = stage.name + (reach == Reach::front ? " front " : " through ") + std::to_string(closed);
   const Sketch sketch = lid_sketch(stage, reach, closed);
   const auto built = built_lid(stage, sketch);
@@ -155,10 +160,8 @@ void expect_lid(const LidStage& stage, Reach reach, double closed, Rims rims = R
   }
   EXPECT_TRUE(figures.slides) << name;
   EXPECT_LE(figures.deepest, 0.005) << name;
-  EXPECT_LE(figures.from_target, 0.03) << name;
-  if (rims == Rims::whole) {
-    EXPECT_EQ(built->strain().turned_over, 0U) << name;
-  }
+  EXPECT_LE(figures.from_target, 0.035) << name;
+  EXPECT_EQ(built->strain().turned_over, 0U) << name;
 }
 
 void expect_made_up(const LidStage& stage) {
@@ -168,8 +171,7 @@ void expect_made_up(const LidStage& stage) {
 
 /// Lids with thick rims, whose hidden sides only `through` takes.
 void expect_face(const LidStage& stage) {
-  expect_lid(stage, Reach::through, 0.5);
-  for (const double closed : {0.8, 1.0}) expect_lid(stage, Reach::through, closed, Rims::folded);
+  for (const double closed : {0.3, 0.5, 0.8, 1.0}) expect_lid(stage, Reach::through, closed);
 }
 
 /// The triangles of the piece of the model that has this box's size and lies nearest behind the middle of the eye.
@@ -226,7 +228,8 @@ LidStage face_stage(const std::string& name, const tests::MarkedFace& face) {
           seen(camera, upper),
           seen(camera, lower),
           triangles_of(*face.canvas, ball_about(*face.canvas, middle, width)),
-          piece_at(*face.canvas, middle)};
+          piece_at(*face.canvas, middle),
+          upper};
 }
 
 /// How a made-up eye is built: its size, how fine skin and ball are, how far the lids lie off it, and how far a cornea
@@ -288,7 +291,8 @@ LidStage made_up(const std::string& name, const MadeUp& how) {
           seen(camera, margin(tests::Eye::k_upper)),
           seen(camera, margin(tests::Eye::k_lower)),
           triangles_of(*canvas, canvas->mesh().components().back()),
-          canvas->mesh().components().front()};
+          canvas->mesh().components().front(),
+          margin(tests::Eye::k_upper)};
 }
 
 TEST(BallUnder, LidsGoAroundBallsOfAnySizeAndDensity) {
@@ -333,6 +337,8 @@ TEST(SharedBallUnder, LidsOfFacesGoAroundTheirEyes) {
   if (!tests::has_shared()) GTEST_SKIP();
   expect_face(face_stage("narrow", tests::shared_face("ict_face_narrow.glb")));
   expect_face(face_stage("avatar", tests::shared_face("ict_avatar.glb")));
+  // With lashes, and with sockets behind the eyes that belong to the skin.
+  expect_face(face_stage("lashes", tests::shared_face("ict_face.glb")));
 }
 
 /// Kept aside while the rules were made.
