@@ -41,9 +41,8 @@ struct Piece {
 };
 
 double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::stable_sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 double least_extent(const geometry::Box& box) {
