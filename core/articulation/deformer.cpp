@@ -310,7 +310,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             std::move(curves->reference),
                             std::move(curves->target),
                             curves->surface,
-                            !sketch.betweens.empty()};
+                            !sketch.betweens.empty(),
+                            std::holds_alternative<std::monostate>(sketch.surface)};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;

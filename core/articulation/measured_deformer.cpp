@@ -221,13 +221,15 @@ class Trial {
     }
   }
 
-  /// Brings places that gave way back onto the surface that they slide over. Along the axis every node stays where the
-  /// slide brings it: that is the width of its row. What lies on the curve stays within a leash of where it was drawn.
+  /// Along the axis of a slide every node stays where the slide brings it: that is the width of its row. On a ball that
+  /// was found, places that gave way come back onto it, and what lies on the curve stays within a leash of where it was
+  /// drawn.
   void keep_sliding(const ModelVector& axis, std::span<const ModelVector> before, std::span<ModelPoint> places) const {
     for (std::size_t node = 0; node < before.size(); ++node) {
       const ModelPoint& rest = parts_.patch.rests()[node];
+      places[node] -= axis * glm::dot(axis, places[node] - rest - before[node]);
+      if (!parts_.found) continue;
       ModelVector way = places[node] - rest - before[node];
-      way -= axis * glm::dot(axis, way);
       const double most = k_leash * length_ + influence_.distances[node];
       const double size = geometry::length(way);
       if (size > most) way *= most / size;
