@@ -8,6 +8,7 @@
 #include "core/articulation/motion/reference_curve.h"
 #include "core/articulation/motion/slide.h"
 #include "core/articulation/region/region.h"
+#include "core/articulation/surface/ball_under.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 
@@ -28,7 +29,8 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
 
 /// The reference curve, inferred or drawn, which stays on one sheet but for deformers of the paper.
 base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                                          std::span<const std::uint32_t> specific, std::size_t points) {
+                                          std::span<const std::uint32_t> specific, std::size_t points,
+                                          const MeantTriangles& meant) {
   if (sketch.reference.empty()) {
     auto inferred = infer_reference(canvas, region, specific, points);
     if (!inferred) return at("specific", inferred.error());
@@ -42,7 +44,7 @@ base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& ca
     return SheetReference{std::move(*drawn), {}, 1};
   }
   auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
-                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer);
+                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, meant);
   if (!drawn) return at("reference", drawn.error());
   return drawn;
 }
@@ -97,62 +99,72 @@ Place closest_place(PxPoint p, std::span<const PxPoint> line) {
   return best;
 }
 
-/// How far a point lies from the rest of the region, where the specific part is attached to the model.
-double from_attachment(const ModelPoint& point, const Canvas& canvas, const Region& region,
-                       std::span<const std::uint32_t> specific) {
-  double least = std::numeric_limits<double>::infinity();
-  auto inside = specific.begin();
-  for (std::uint32_t i = 0; i < region.vertices.size(); ++i) {
-    if (inside != specific.end() && *inside == i) {
-      ++inside;
-      continue;
-    }
-    least = std::min(least, geometry::distance(canvas.positions()[region.vertices[i]], point));
-  }
-  return least;
-}
-
-/// Turns an inferred reference round that is attached at its last point alone, where that end tells the target's
-/// direction otherwise than the first one: a trunk stays on its head, whichever way its target runs.
-void begin_where_attached(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
-                          const geometry::Camera& camera, std::span<const PxPoint> target, Curve& reference) {
-  constexpr double k_attached = 0.4;  // of the other end's way to what stays
-  const auto first = camera.project(reference.front());
-  const auto last = camera.project(reference.back());
-  if (!first || !last || target.size() < 2) return;
-  const auto nearer = [&](PxPoint end) {
-    return geometry::distance(target.front(), end) < geometry::distance(target.back(), end);
-  };
-  if (nearer(*first) != nearer(*last)) return;
-  if (from_attachment(reference.back(), canvas, region, specific) <
-      k_attached * from_attachment(reference.front(), canvas, region, specific))
-    std::reverse(reference.begin(), reference.end());
-}
-
 /// The curves of a deformer, with equally many points.
 struct Curves {
   Curve reference;
   Curve target;
   bool turned_round = false;
   double kept = 1;
+  KeptSurface surface;
 };
 
-/// Steps 3 and 4 of the method.
-base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
-                               const KeptSurface& surface, std::size_t points) {
-  auto reference = reference_of(sketch, canvas, region, specific, points);
+/// Both curves, the target still where it was drawn before what is seen; `meant`: as of sheet_reference.
+base::Result<Curves> drawn_curves(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                                  std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
+                                  std::size_t points, const MeantTriangles& meant = {}) {
+  auto reference = reference_of(sketch, canvas, region, specific, points, meant);
   if (!reference) return reference.error();
   if (sketch.reference.empty() && !sketch.paper)
     begin_where_attached(canvas, region, specific, target_camera, sketch.target, reference->points);
   auto paired = curve::pair_target(reference->points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
   Curves curves{std::move(reference->points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
-                reference->kept};
+                reference->kept, KeptSurface()};
   // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
   for (std::size_t i = 0; i < reference->aside.size(); ++i) curves.target[i] -= reference->aside[i];
-  lift_onto_surface(target_camera, surface, curves.reference, curves.target);
-  if (!all_finite(curves.reference) || !all_finite(curves.target)) {
+  return curves;
+}
+
+/// The ball that the curves lie on, if they do. A line that was drawn over a lid is meant for its margin, though it
+/// touches the eye or its lashes beside it: where the margin lies on a ball, the curves become those of the margin.
+void find_ball(const Sketch& sketch, const Canvas& canvas, const Region& region,
+               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera, std::size_t points,
+               Curves& curves) {
+  const auto pieces = canvas.mesh().components();
+  const std::uint32_t own = pieces[region.vertices.front()];
+  for (const Ball& ball : balls_about(canvas, own, curves.reference)) {
+    const auto outside = [&](std::uint32_t v) { return !ball.hides(canvas.positions()[v]); };
+    const auto meant = [&](const mesh::Triangle& t) {
+      return pieces[t[0]] == own && std::any_of(t.begin(), t.end(), outside);
+    };
+    std::optional<Curves> margin;
+    if (!sketch.reference.empty()) {
+      auto drawn = drawn_curves(sketch, canvas, region, specific, target_camera, points, meant);
+      if (!drawn || !all_finite(drawn->target)) continue;
+      margin = std::move(*drawn);
+    }
+    const Curves& some = margin ? *margin : curves;
+    auto held = ball_under(canvas, ball, {some.reference, some.target, target_camera});
+    if (!held) continue;
+    if (margin) curves = std::move(*margin);
+    curves.surface = KeptSurface(std::move(held));
+    return;
+  }
+}
+
+/// Steps 3 and 4 of the method. Where no surface was chosen, the ball under the curves is one.
+base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
+                               const KeptSurface& surface, std::size_t points) {
+  auto curves = drawn_curves(sketch, canvas, region, specific, target_camera, points);
+  if (!curves) return curves;
+  curves->surface = surface;
+  const bool chosen = sketch.paper || !std::holds_alternative<std::monostate>(sketch.surface);
+  if (!chosen && all_finite(curves->target)) {
+    find_ball(sketch, canvas, region, specific, target_camera, points, *curves);
+  }
+  lift_onto_surface(target_camera, curves->surface, curves->reference, curves->target);
+  if (!all_finite(curves->reference) || !all_finite(curves->target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
   }
   return curves;
@@ -297,8 +309,9 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             falloff,
                             std::move(curves->reference),
                             std::move(curves->target),
-                            *surface,
-                            !sketch.betweens.empty()};
+                            curves->surface,
+                            !sketch.betweens.empty(),
+                            std::holds_alternative<std::monostate>(sketch.surface)};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;

@@ -151,7 +151,8 @@ class Trial {
 
  private:
   static constexpr double k_near = 0.025;
-  static constexpr double k_safe = 0.97;  ///< other amounts stretch a little more
+  static constexpr double k_leash = 0.02;  ///< in lengths of the curve, on it; longer by as much as a node is beside it
+  static constexpr double k_safe = 0.97;   ///< other amounts stretch a little more
   static constexpr int k_hold_rounds = 20;
   static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
@@ -199,13 +200,7 @@ class Trial {
         relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
       }
       if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
-      if (held.motion->slide() != nullptr) {
-        // Along the axis every node stays where the slide brings it: that is the width of its row.
-        const ModelVector& axis = held.motion->slide()->axis();
-        for (std::size_t node = 0; node < n; ++node) {
-          places[node] -= axis * glm::dot(axis, places[node] - parts_.patch.rests()[node] - before[node]);
-        }
-      }
+      if (held.motion->slide() != nullptr) keep_sliding(held.motion->slide()->axis(), before, places);
       for (std::size_t node = 0; node < n; ++node) moves_[node] = places[node] - parts_.patch.rests()[node];
       strain = meter_.measure(moves_);
       if (!judge.better(strain, nearest, 1.0)) continue;
@@ -223,6 +218,22 @@ class Trial {
       } else {
         own.move = best[node] / amount;
       }
+    }
+  }
+
+  /// Along the axis of a slide every node stays where the slide brings it: that is the width of its row. On a ball that
+  /// was found, places that gave way come back onto it, and what lies on the curve stays within a leash of where it was
+  /// drawn.
+  void keep_sliding(const ModelVector& axis, std::span<const ModelVector> before, std::span<ModelPoint> places) const {
+    for (std::size_t node = 0; node < before.size(); ++node) {
+      const ModelPoint& rest = parts_.patch.rests()[node];
+      places[node] -= axis * glm::dot(axis, places[node] - rest - before[node]);
+      if (!parts_.found) continue;
+      ModelVector way = places[node] - rest - before[node];
+      const double most = k_leash * length_ + influence_.distances[node];
+      const double size = geometry::length(way);
+      if (size > most) way *= most / size;
+      places[node] = parts_.surface.keep(rest + before[node] + way, rest, parts_.surface.level(rest));
     }
   }
 

@@ -20,6 +20,7 @@ struct MeasuredParts {
   std::vector<ModelPoint> target;
   KeptSurface surface;
   bool whole = false;  ///< also keep vertices that do not move, and the motion of the nodes
+  bool found = false;  ///< the surface, if any, was not chosen: what gives way on it stays near to what was drawn
 };
 
 /// The range of a deformer's parameter.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/articulation/motion/slide.h"
 #include "core/base/sine_cosine.h"
@@ -190,10 +191,23 @@ void CurveSkin::displacements(double amount, CurveSkinWorkspace& work, std::span
     return;
   }
   moved(amount, work, out);
+  bool between_targets = false;
   for (const BetweenKnot& between : betweens_) {
     const double weight = between.knot.weight(amount);
     if (weight == 0.0) continue;
+    between_targets = true;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += between.differences[i] * weight;
+  }
+  if (between_targets) hold(out);
+}
+
+/// Between two targets the straight way would cut through the surface.
+void CurveSkin::hold(std::span<ModelVector> out) const {
+  if (!surface_.exists()) return;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const ModelVector move = to_rest_.empty() ? out[i] : glm::inverse(to_rest_[i]) * out[i];
+    const ModelVector held = surface_.keep(rests_[i] + move, rests_[i], levels_[i]) - rests_[i];
+    out[i] = to_rest_.empty() ? held : to_rest_[i] * held;
   }
 }
 

@@ -98,6 +98,7 @@ class CurveSkin {
   void swung(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const;
   void slid(double amount, std::span<ModelVector> out) const;
   void moved(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const;
+  void hold(std::span<ModelVector> out) const;
   void add_more(double amount, std::span<ModelVector> out) const;
   void reserve(std::size_t count, bool carried);
   void mark_segments();

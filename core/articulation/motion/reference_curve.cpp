@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/articulation/region/under_stroke.h"
 #include "core/curve/polyline.h"
@@ -52,11 +53,47 @@ base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, cons
   return curve::resample<ModelPoint>(smooth, count);
 }
 
+namespace {
+
+/// How far a point lies from the rest of the region, where the specific part is attached to the model.
+double from_attachment(const ModelPoint& point, const Canvas& canvas, const Region& region,
+                       std::span<const std::uint32_t> specific) {
+  double least = std::numeric_limits<double>::infinity();
+  auto inside = specific.begin();
+  for (std::uint32_t i = 0; i < region.vertices.size(); ++i) {
+    if (inside != specific.end() && *inside == i) {
+      ++inside;
+      continue;
+    }
+    least = std::min(least, geometry::distance(canvas.positions()[region.vertices[i]], point));
+  }
+  return least;
+}
+
+}  // namespace
+
+void begin_where_attached(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
+                          const geometry::Camera& camera, std::span<const PxPoint> target,
+                          std::vector<ModelPoint>& reference) {
+  constexpr double k_attached = 0.4;  // of the other end's way to what stays
+  const auto first = camera.project(reference.front());
+  const auto last = camera.project(reference.back());
+  if (!first || !last || target.size() < 2) return;
+  const auto nearer = [&](PxPoint end) {
+    return geometry::distance(target.front(), end) < geometry::distance(target.back(), end);
+  };
+  if (nearer(*first) != nearer(*last)) return;
+  if (from_attachment(reference.back(), canvas, region, specific) <
+      k_attached * from_attachment(reference.front(), canvas, region, specific))
+    std::reverse(reference.begin(), reference.end());
+}
+
 base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                              std::span<const PxPoint> stroke, std::size_t count,
-                                             curve::SheetChoice choice) {
+                                             curve::SheetChoice choice, const MeantTriangles& meant) {
   const double around = (curve::k_farthest_stick + 1.0) * curve::k_stick_px * camera.viewport().height / 1000.0;
-  const auto triangles = triangles_under(canvas, camera, stroke, around);
+  auto triangles = triangles_under(canvas, camera, stroke, around);
+  if (meant) std::erase_if(triangles, [&](const mesh::Triangle& t) { return !meant(t); });
   if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
   std::vector<glm::vec3> positions;
   positions.reserve(canvas.positions().size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ inline constexpr std::size_t k_light_kernel = 5;
                                                                     std::span<const std::uint32_t> specific,
                                                                     std::size_t count);
 
+/// Turns an inferred reference round that is attached at its last point alone, where that end tells the target's
+/// direction otherwise than the first one: a trunk stays on its head, whichever way its target runs.
+void begin_where_attached(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
+                          const geometry::Camera& camera, std::span<const PxPoint> target,
+                          std::vector<ModelPoint>& reference);
+
 /// Why an inferred reference cannot be trusted, in words for a user; empty where it can. Its vertices are on two sheets
 /// of the surface (both lips), or it runs far from the vertices it was inferred from.
 [[nodiscard]] std::string doubt_of_inferred(const Canvas& canvas, const Region& region,
@@ -42,10 +49,14 @@ struct SheetReference {
   double kept = 1;                 ///< share of the line that was not cut off
 };
 
-/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two.
-/// Errors: as drawn_reference; no other sheet.
+/// Whether a triangle of the model may be meant.
+using MeantTriangles = std::function<bool(const mesh::Triangle&)>;
+
+/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two. Where
+/// some triangles are meant, it is on those, whatever else the line crosses. Errors: as drawn_reference; no other
+/// sheet.
 [[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                                            std::span<const PxPoint> stroke, std::size_t count,
-                                                           curve::SheetChoice choice);
+                                                           curve::SheetChoice choice, const MeantTriangles& meant = {});
 
 }  // namespace penpose::articulation

@@ -6,9 +6,7 @@ base::Result<KeptSurface> KeptSurface::make(const Surface& surface, const Canvas
   using Held = base::Result<std::shared_ptr<const HeldSurface>>;
   auto held = of_surface(surface, Held(nullptr), [&](const auto& one) { return one.held(canvas); });
   if (!held) return held.error();
-  KeptSurface kept;
-  kept.held_ = std::move(held).value();
-  return kept;
+  return KeptSurface(std::move(held).value());
 }
 
 }  // namespace penpose::articulation

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/surface/surface.h"
@@ -15,6 +16,8 @@ class KeptSurface {
  public:
   /// No surface: `keep` and `lift` change nothing.
   KeptSurface() = default;
+  /// Null: no surface.
+  explicit KeptSurface(std::shared_ptr<const HeldSurface> held) : held_(std::move(held)) {}
   /// Errors (place "surface/KEY"): those of the surface, such as no part of that name.
   static base::Result<KeptSurface> make(const Surface& surface, const Canvas& canvas);
 

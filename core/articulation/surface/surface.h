@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/articulation/surface/free.h"
 #include "core/articulation/surface/part_surface.h"
 #include "core/articulation/surface/sphere.h"
 
@@ -21,8 +22,8 @@
 
 namespace penpose::articulation {
 
-/// What a deformer slides over; nothing for most.
-using Surface = std::variant<std::monostate, Sphere, PartSurface>;
+/// What a deformer slides over. Where none was chosen it is the ball that its curve lies on (ball_under.h), if any.
+using Surface = std::variant<std::monostate, Sphere, PartSurface, Free>;
 
 /// What visit(one) gives for the surface, or `none` where there is none.
 template <typename Visit, typename None>

@@ -82,7 +82,7 @@ TEST(Eyelid, MeetsTheLowerLidWhenClosed) {
 TEST(Eyelid, CutsIntoTheEyeWithoutTheBall) {
   const Eye eye = tests::make_eye();
   Sketch sketch = eye.blink();
-  sketch.surface = std::monostate{};
+  sketch.surface = Free{};
   const auto blink = built(sketch, *eye.canvas);
   const auto half = posed(*eye.canvas, *blink, 0.5);
   std::size_t inside = 0;

@@ -142,10 +142,10 @@ TEST_F(DemoHead, AClosedLidLiesOutsideARaisedLowerOne) {
   for (std::size_t i = 3; i + 3 < rim.size(); ++i) EXPECT_GT(geometry::distance(both[rim[i]], eye.center), farthest);
 }
 
-TEST_F(DemoHead, LidsCutIntoTheEyeWithoutTheSphere) {
+TEST_F(DemoHead, LidsCutIntoTheEyeWithoutASurface) {
   const head::Eyeball eye = head::head_landmarks().left;
   articulation::Sketch sketch = deformer("eyelid_upper_L").sketch();
-  sketch.surface = std::monostate{};
+  sketch.surface = articulation::Free{};
   const auto canvas = document::make_canvas(*model_).value();
   const auto lid = articulation::build_deformer(sketch, *canvas).value();
   const std::vector<geometry::ModelVector> moves = lid->displacements(0.5);

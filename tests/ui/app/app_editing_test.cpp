@@ -89,7 +89,7 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   desk.click("Slide");
   EXPECT_EQ(desk.document().pending->sketch.mode, articulation::Mode::translate);
   EXPECT_FALSE(desk.document().pending->sketch.specific.empty());
-  desk.click("Over: nothing##surface");
+  desk.click("Over: what it lies on##surface");
   desk.click("a ball");
   ASSERT_TRUE(std::holds_alternative<articulation::Sphere>(desk.document().pending->sketch.surface));
   EXPECT_FALSE(desk.document().pending->sketch.specific.empty());

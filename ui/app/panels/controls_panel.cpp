@@ -110,11 +110,14 @@ document::TakeRegion take_buttons(PanelContext& context, articulation::Reach rea
   return take;
 }
 
+/// What is shown where nothing was chosen.
+constexpr const char* k_found = "what it lies on";
+
 /// The surface that was chosen, if one was.
 std::optional<Surface> surface_button(PanelContext& context, const Owners& with, const Surface& now,
                                       const articulation::RegionPoints& region) {
   const bool slides = !std::holds_alternative<std::monostate>(now);
-  const std::string over = of_surface(now, std::string("nothing"), [](const auto& one) { return one.words(); });
+  const std::string over = of_surface(now, std::string(k_found), [](const auto& one) { return one.words(); });
   if (wide_button(context, ("Over: " + over + "##surface").c_str(), -1, slides,
                   "What it slides over and keeps its distance from, as a lid does from the eye")) {
     ImGui::OpenPopup("surface");
@@ -122,7 +125,10 @@ std::optional<Surface> surface_button(PanelContext& context, const Owners& with,
   std::optional<Surface> chosen;
   if (!begin_menu(context, "surface")) return chosen;
   const float width = 7 * context.unit;
-  if (wide_button(context, "nothing", width)) chosen = Surface();
+  if (wide_button(context, k_found, width, false,
+                  "A ball that it lies on, as a lid does on the eye, if there is one")) {
+    chosen = Surface();
+  }
   articulation::each_surface_kind([&]<typename Kind>() {
     for (const auto& offered : Kind::offered(*with.editing.document().model->mesh, region)) {
       const char* tip = offered.tip.empty() ? nullptr : offered.tip.c_str();

@@ -38,6 +38,7 @@ std::vector<Command> full_commands() {
           DeleteNamedCurve{k_strange},
           BeginDeformer{k_strange, Mode::rotate, Sphere{{0.1, 0.2, -0.3}, 1e-3}, -0.5, 1.5},
           BeginDeformer{"eye", Mode::translate, PartSurface{k_strange}, -1, 2},
+          BeginDeformer{"free", Mode::automatic, articulation::Free{}, 0, 1},
           SketchCurve{CurveRole::target, view, some_line()},
           CancelDeformer{},
           RedrawCurve{k_strange, CurveRole::specific, view, some_line()},

@@ -59,6 +59,9 @@ TEST(SketchFile, ComesBackAsItWasWritten) {
   file.sketches[1].minimum = -0.5;
   file.sketches[1].maximum = 1.5;
   file.sketches[1].target[2].x = 1.0 / 3.0;
+  file.sketches.push_back(tests::make_eye().blink());
+  file.sketches[2].name = "straight";
+  file.sketches[2].surface = articulation::Free{};
   const auto back = read(write_sketch_file(file));
   ASSERT_TRUE(back.ok()) << back.error().line();
   EXPECT_EQ(back->model, file.model);
