@@ -206,6 +206,12 @@ void Character::evaluate(std::span<const double> pose, std::span<ModelPoint> pos
   document_.model->rig->evaluate(pose, positions);
 }
 
+base::Result<std::vector<mesh::MeshPoint>> Character::points_of(CurveId curve) const {
+  const document::PoseCurve* found = document::find_curve(document_, curve);
+  if (found == nullptr) return no_curve(curve);
+  return found->points;
+}
+
 base::Result<std::vector<ModelPoint>> Character::positions_of(CurveId curve) const {
   const document::PoseCurve* found = document::find_curve(document_, curve);
   if (found == nullptr) return no_curve(curve);

@@ -103,6 +103,8 @@ class Character {
   base::Status set_pose(std::span<const double> values);
   /// World positions of all vertices at a pose. Precondition: one value a parameter, one place a vertex.
   void evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const;
+  /// The points of the mesh that a curve is glued to. Errors: no such curve.
+  [[nodiscard]] base::Result<std::vector<mesh::MeshPoint>> points_of(CurveId curve) const;
   /// Where the points of a curve are now.
   [[nodiscard]] base::Result<std::vector<ModelPoint>> positions_of(CurveId curve) const;
   /// How far each point of a curve is from where it should be, model units: from its place where that is known or kept,

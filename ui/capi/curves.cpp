@@ -87,6 +87,16 @@ int32_t penpose_curve_positions(penpose_library* library, penpose_handle charact
   });
 }
 
+int32_t penpose_curve_points(penpose_library* library, penpose_handle character, uint32_t curve,
+                             penpose_mesh_point* points, size_t room, size_t* count, penpose_error* error) {
+  return call_character(library, character, error, [&](const character::Character& one, CharacterObject&) {
+    std::vector<penpose_mesh_point> out;
+    for (const mesh::MeshPoint& point : taken(one.points_of(document::CurveId{curve})))
+      out.push_back({point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
+    write_list<penpose_mesh_point>(out, points, room, count, "points");
+  });
+}
+
 int32_t penpose_curve_distances(penpose_library* library, penpose_handle character, uint32_t curve, double* distances,
                                 size_t room, size_t* count, penpose_error* error) {
   return call_character(library, character, error, [&](const character::Character& one, CharacterObject&) {

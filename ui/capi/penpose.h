@@ -249,6 +249,9 @@ PENPOSE_API int32_t penpose_curve_named(penpose_library* library, penpose_handle
  * for). PENPOSE_TOO_SMALL where there is room for fewer, with the number written. */
 PENPOSE_API int32_t penpose_curve_positions(penpose_library* library, penpose_handle character, uint32_t curve,
                                             double* xyz, size_t room, size_t* count, penpose_error* error);
+/* The points of the surface that a curve is glued to. As penpose_curve_positions. */
+PENPOSE_API int32_t penpose_curve_points(penpose_library* library, penpose_handle character, uint32_t curve,
+                                         penpose_mesh_point* points, size_t room, size_t* count, penpose_error* error);
 PENPOSE_API int32_t penpose_curve_distances(penpose_library* library, penpose_handle character, uint32_t curve,
                                             double* distances, size_t room, size_t* count, penpose_error* error);
 PENPOSE_API int32_t penpose_curve_delete(penpose_library* library, penpose_handle character, uint32_t curve,

@@ -116,6 +116,8 @@ std::vector<BadCall> bad_calls() {
        }},
       {"penpose_curve_named(nullptr, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) { return penpose_curve_named(d.open, d.sheet, nullptr, 0, &curve, e); }},
+      {"penpose_curve_points(1, nullptr, 5, &count)", PENPOSE_BAD_ARGUMENT,
+       [](CDesk& d, penpose_error* e) { return penpose_curve_points(d.open, d.sheet, 1, nullptr, 5, &count, e); }},
       {"penpose_curve_positions(1, numbers, 15, nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) { return penpose_curve_positions(d.open, d.sheet, 1, numbers, 15, nullptr, e); }},
       {"penpose_curve_positions(1, nullptr, 15, &count)", PENPOSE_BAD_ARGUMENT,

@@ -146,6 +146,7 @@ _FUNCTIONS = {
     'penpose_curve_from_stroke': _ON + (POINTER(CView), c_void_p, c_size_t, c_int32, POINTER(c_uint32)),
     'penpose_curve_named': _ON + (c_char_p, c_int32, POINTER(c_uint32)),
     'penpose_curve_positions': _ON + (c_uint32, c_void_p, c_size_t, _SIZES),
+    'penpose_curve_points': _ON + (c_uint32, POINTER(CMeshPoint), c_size_t, _SIZES),
     'penpose_curve_distances': _ON + (c_uint32, c_void_p, c_size_t, _SIZES),
     'penpose_curve_delete': _ON + (c_uint32,),
     'penpose_curves_clear': _ON,
@@ -170,7 +171,7 @@ _FUNCTIONS = {
 
 
 def _found() -> ctypes.CDLL:
-    """$PENPOSE_LIBRARY, then what the system's loader finds, then the prefix that this package is installed below."""
+    """$PENPOSE_LIBRARY, then what lies in this package, then what the system's loader finds, then the prefix that this package is installed below."""
     named = os.environ.get('PENPOSE_LIBRARY')
     if named:
         return ctypes.CDLL(named)
@@ -178,7 +179,7 @@ def _found() -> ctypes.CDLL:
     tried = []
     here = os.path.dirname(os.path.abspath(__file__))
     lib = os.path.normpath(os.path.join(here, '..', '..', '..'))
-    folders = [''] + [lib] + sorted(entry.path for entry in os.scandir(lib) if entry.is_dir() and entry.name.endswith('-linux-gnu'))
+    folders = [here, '', lib] + sorted(entry.path for entry in os.scandir(lib) if entry.is_dir() and entry.name.endswith('-linux-gnu'))
     for folder in folders:
         try:
             return ctypes.CDLL(os.path.join(folder, name))

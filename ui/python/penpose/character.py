@@ -285,6 +285,15 @@ class Character(_c.Handle):
         self._call(C.penpose_curve_positions, curve, pointer(out), len(out), byref(count))
         return out
 
+    def points(self, curve: int) -> Tuple[np.ndarray, np.ndarray]:
+        """The points of the surface that a curve is glued to: (n,) triangles and (n, 3) shares of their corners."""
+        count = c_size_t()
+        self._call(C.penpose_curve_points, curve, None, 0, byref(count))
+        out = (_c.CMeshPoint * max(1, count.value))()
+        self._call(C.penpose_curve_points, curve, out, count.value, byref(count))
+        rows = out[:count.value]
+        return np.array([p.triangle for p in rows], dtype=np.uint32), np.array([list(p.shares) for p in rows]).reshape(-1, 3)
+
     def distances(self, curve: int) -> np.ndarray:
         """How far each point of a curve is from where it should be, model units."""
         count = c_size_t()

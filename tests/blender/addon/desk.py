@@ -1,0 +1,77 @@
+"""What the tests of the add-on share, in Blender: the add-on from its zip, models, views and strokes."""
+import math
+import os
+import sys
+import tempfile
+
+import numpy
+
+numpy.bool = bool  # Debian's importer is older than its numpy
+import addon_utils  # noqa: E402
+import bpy  # noqa: E402
+from mathutils import Matrix, Vector  # noqa: E402
+
+ARGUMENTS = sys.argv[sys.argv.index('--') + 1:]
+SCRATCH = tempfile.mkdtemp()
+
+
+def install(path):
+    """The add-on of a zip, installed as a user does and enabled; its package."""
+    bpy.ops.preferences.addon_install(overwrite=True, filepath=path)
+    addon_utils.enable('penpose', default_set=True)
+    return sys.modules['penpose']
+
+
+def opened(path):
+    """The mesh with the most vertices of a glTF file, active, in a file of its own."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    addon_utils.enable('penpose', default_set=True)
+    bpy.ops.import_scene.gltf(filepath=path, merge_vertices=False)
+    meshes = [o for o in bpy.data.objects if o.type == 'MESH' and o.name != 'Icosphere']
+    obj = max(meshes, key=lambda o: len(o.data.vertices))
+    for one in bpy.data.objects:
+        one.select_set(one == obj)
+    bpy.context.view_layer.objects.active = obj
+    return obj
+
+
+def seen(obj, yaw=0.0, size=1000, addon=sys.modules.get('penpose')):
+    """A view of the whole object from the front (glTF's +z), turned about its height by degrees."""
+    from penpose import space
+    corners = [obj.matrix_world @ Vector(c) for c in obj.bound_box]
+    middle = sum(corners, Vector()) / 8
+    radius = max((c - middle).length for c in corners)
+    distance = radius / math.tan(math.radians(15)) * 1.1
+    camera = Matrix.Translation(middle) @ Matrix.Rotation(math.radians(yaw), 4, 'Z') @ Matrix.Rotation(math.radians(90), 4, 'X') \
+        @ Matrix.Translation((0, 0, distance))
+    f = 1 / math.tan(math.radians(15))
+    near, far = 0.1 * distance, 10 * distance
+    window = Matrix(((f, 0, 0, 0), (0, f, 0, 0), (0, 0, (far + near) / (near - far), 2 * far * near / (near - far)), (0, 0, -1, 0)))
+    return space.seen_by(camera.inverted(), window, size, size, space.Space(obj.matrix_world), middle)
+
+
+def region_places(shown, points):
+    """Where a view shows points of the character, as px of the region."""
+    return shown.places(shown.view.project(points))
+
+
+def draw(obj, kind, shown, places, of=None):
+    """A whole stroke, with following; the controls that moved."""
+    from penpose import drawing
+    stroke = drawing.Stroke(obj, kind, shown, of)
+    for place in places:
+        stroke.add(place)
+        stroke.follow()
+    return stroke.end(obj)
+
+
+def shown_positions(obj):
+    """Vertices as Blender shows them, in the character's space."""
+    from penpose import drawing, space
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    return space.Space(obj.matrix_world).of_object(drawing.shown_positions(obj, depsgraph))
+
+
+def size_of(points):
+    """The diagonal of their box."""
+    return float(numpy.linalg.norm(points.max(axis=0) - points.min(axis=0)))

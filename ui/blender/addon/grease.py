@@ -1,0 +1,81 @@
+"""Strokes of Grease Pencil as curves: the last two of the active layer are a reference and its target, or layers are named so."""
+import bpy
+from mathutils import Vector
+
+from . import drawing, versions
+from .controls import Refused
+from .library import Error
+from .pen import mesh_of, seen_in
+
+
+def pencil_of(context):
+    """The Grease Pencil object that is meant: the active or a selected one, else the first that is seen."""
+    found = [o for o in [context.active_object, *context.selected_objects, *context.view_layer.objects]
+             if versions.is_grease_pencil(o) and o.visible_get()]
+    return found[0] if found else None
+
+
+def target_mesh(context):
+    """The mesh that they are for: the active one, or the one that is selected beside the Grease Pencil."""
+    obj = mesh_of(context)
+    if obj is not None and obj.type == 'MESH':
+        return obj
+    meshes = [o for o in context.selected_objects if o.type == 'MESH']
+    return meshes[0] if meshes else None
+
+
+def strokes_of(pencil):
+    """The pairs (kind, points in the world) that the active layer means. Raises Refused."""
+    name, strokes = versions.grease_pencil_strokes(pencil)
+    strokes = [[pencil.matrix_world @ Vector(p) for p in s] for s in strokes if len(s) > 1]
+    if not strokes:
+        raise Refused('the active layer of %s has no stroke on this frame; draw a reference and a target' % pencil.name)
+    kind = name.lower()
+    for one in ('reference', 'target', 'constraint'):
+        if one in kind:
+            return [(one, s) for s in (strokes[-1:] if one == 'target' else strokes)]
+    if len(strokes) < 2:
+        raise Refused('the active layer of %s has one stroke; draw two, a reference and its target, or name the layer after what it holds' % pencil.name)
+    return [('reference', strokes[-2]), ('target', strokes[-1])]
+
+
+def draw_strokes(obj, strokes, seen, to_region):
+    """Draws them on the object as the pen would. `to_region`: the px of the region of a point of the world, or None."""
+    moved = []
+    for kind, points in strokes:
+        stroke = drawing.Stroke(obj, kind, seen)
+        for point in points:
+            place = to_region(point)
+            if place is not None:
+                stroke.add(place)
+        moved = stroke.end(obj)
+    return moved
+
+
+class PENPOSE_OT_grease_pencil(bpy.types.Operator):
+    """Take strokes of Grease Pencil as curves: the last two of its active layer are a reference and its target;
+    or a layer is called reference, target or constraint"""
+    bl_idname = 'penpose.grease_pencil'
+    bl_label = 'From Grease Pencil'
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        return context.area is not None and context.area.type == 'VIEW_3D' and pencil_of(context) is not None and target_mesh(context) is not None
+
+    def execute(self, context):
+        from bpy_extras.view3d_utils import location_3d_to_region_2d
+        region = next(r for r in context.area.regions if r.type == 'WINDOW')
+        rv3d = context.space_data.region_3d
+        obj = target_mesh(context)
+        try:
+            seen = seen_in(region, rv3d, obj)
+            moved = draw_strokes(obj, strokes_of(pencil_of(context)), seen, lambda p: location_3d_to_region_2d(region, rv3d, p))
+        except (Refused, Error) as problem:
+            self.report({'ERROR'}, str(problem))
+            return {'CANCELLED'}
+        self.report({'INFO'}, '%d controls moved' % len(moved))
+        return {'FINISHED'}
+
+
+CLASSES = (PENPOSE_OT_grease_pencil,)

@@ -1,0 +1,90 @@
+"""What is drawn as a session that penpose replays to the same bits: the model goes along."""
+import os
+
+import bpy
+from bpy.props import StringProperty
+from bpy_extras.io_utils import ExportHelper
+
+from . import drawing
+from .controls import Refused
+from .library import Error
+
+_records = {}  # folder and name of the session, by the object's name
+
+
+def recorded(obj):
+    """The path that the drawing on an object is recorded into, or None."""
+    return _records.get(obj.name) if obj is not None else None
+
+
+def begin(obj, path):
+    """Records from now on: writes the model beside the session, which is written anew after each stroke."""
+    one = drawing.known(obj)
+    if one.rig.measured:
+        raise Refused('%s is moved by %s, which a model file does not hold; bake them, or draw without a record' % (obj.name, one.rig.measured))
+    stem = os.path.splitext(path)[0]
+    model = stem + '.glb'
+    with open(model, 'wb') as f:
+        f.write(one.rig.character.write('.glb'))
+    one.rig.character.record(os.path.basename(model))
+    _records[obj.name] = stem + '.session'
+    note(obj)
+
+
+def note(obj):
+    """Writes down what was drawn."""
+    path = recorded(obj)
+    if path is None:
+        return
+    one = drawing.known(obj)
+    try:
+        text = one.rig.character.recorded
+    except Error:
+        # The rig was read again: what is recorded from here on is another session.
+        _records.pop(obj.name)
+        raise Refused('the rig of %s changed, so that its record ended; %s holds what was drawn until then' % (obj.name, path)) from None
+    with open(path + '.new', 'wb') as f:
+        f.write(text)
+    os.replace(path + '.new', path)
+
+
+def end(obj):
+    """Records no more."""
+    return _records.pop(obj.name, None)
+
+
+class PENPOSE_OT_record(bpy.types.Operator, ExportHelper):
+    """Record what is drawn on the object as a session that penpose replays; the model is written beside it"""
+    bl_idname = 'penpose.record'
+    bl_label = 'Record a Session'
+
+    filename_ext = '.session'
+    filter_glob: StringProperty(default='*.session', options={'HIDDEN'})
+
+    def execute(self, context):
+        from .pen import mesh_of
+        try:
+            begin(mesh_of(context), self.filepath)
+        except (Refused, Error, OSError) as problem:
+            self.report({'ERROR'}, str(problem))
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
+class PENPOSE_OT_record_end(bpy.types.Operator):
+    """End the record; the session and its model stay where they were written"""
+    bl_idname = 'penpose.record_end'
+    bl_label = 'End the Record'
+
+    @classmethod
+    def poll(cls, context):
+        from .pen import mesh_of
+        return recorded(mesh_of(context)) is not None
+
+    def execute(self, context):
+        from .pen import mesh_of
+        self.report({'INFO'}, 'the session is %s' % end(mesh_of(context)))
+        return {'FINISHED'}
+
+
+CLASSES = (PENPOSE_OT_record, PENPOSE_OT_record_end)
