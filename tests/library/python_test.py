@@ -75,6 +75,8 @@ class Arrays(unittest.TestCase):
         curves = [self.sheet.positions(self.sheet.draw(view, px)) for px in given]
         for curve in curves:
             np.testing.assert_allclose(curve, curves[0], atol=1e-6)
+        triangles, shares = self.sheet.points(self.sheet.draw(view, line))
+        np.testing.assert_array_equal(self.sheet.positions(self.sheet.curve_of(triangles, shares)), curves[0])
         for px in (line.T, line.ravel(), [[1, 2, 3]]):
             with self.assertRaises(ValueError):
                 self.sheet.draw(view, px)

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,27 @@ TEST(CPosing, EveryPresetReachesAKnownTarget) {
     ASSERT_EQ(count, 15U);
     EXPECT_LT(*std::max_element(distances, distances + count), preset == PENPOSE_PRESET_PAPER ? 0.02 : 0.001);
   }
+}
+
+TEST(CPosing, ACurveIsMadeAgainFromThePointsThatItIsGluedTo) {
+  CDesk desk;
+  const std::uint32_t drawn = desk.draw(desk.line(-0.5, 0.5, 0.5, 0.45));
+  std::vector<penpose_mesh_point> points(40);
+  std::size_t count = 0;
+  ASSERT_EQ(penpose_curve_points(desk.open, desk.sheet, drawn, points.data(), points.size(), &count, &desk.error),
+            PENPOSE_OK)
+      << desk.error.message;
+  ASSERT_EQ(count, 32U);
+  std::uint32_t again = 0;
+  ASSERT_EQ(penpose_curve_from_points(desk.open, desk.sheet, points.data(), count, PENPOSE_REFERENCE, &again, nullptr),
+            PENPOSE_OK);
+  std::array<std::vector<double>, 2> xyz{std::vector<double>(96), std::vector<double>(96)};
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(
+        penpose_curve_positions(desk.open, desk.sheet, i == 0 ? drawn : again, xyz[i].data(), 32, &count, nullptr),
+        PENPOSE_OK);
+  }
+  EXPECT_EQ(xyz[0], xyz[1]);
 }
 
 TEST(CPosing, ALockedParameterStays) {
