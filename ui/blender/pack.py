@@ -53,7 +53,8 @@ def main():
     for path in needed_by(given.library):
         files['library/' + os.path.basename(path)] = os.path.realpath(path)
     files['LICENSE'] = os.path.join(ROOT, 'LICENSE')
-    texts = {'blender_manifest.toml': MANIFEST.format(version=given.version, platform=PLATFORMS.get((given.system, given.machine), 'linux-x64'))}
+    platform = PLATFORMS.get((given.system, given.machine), 'linux-x64')
+    texts = {'blender_manifest.toml': MANIFEST.format(version=given.version, platform=platform)}
     for name, path in files.items():
         with open(path, 'rb') as f:
             texts[name] = f.read()

@@ -12,39 +12,44 @@ bl_info = {
 import bpy
 from bpy.app.handlers import persistent
 
-from . import drawing, grease, overlay, panel, pen, recording, sketch
+from . import drawing, grease, overlay, panel, pen, recording, sketch, tools
 
 _CLASSES = pen.CLASSES + sketch.CLASSES + grease.CLASSES + recording.CLASSES + panel.CLASSES
 
 
 @persistent
-def _forget(*_):
-    """After undo, redo and opening a file nothing that was known need be so."""
+def _stop(*_):
+    """Before undo, redo and another file: a stroke that is being drawn leaves no trace."""
     pen.stop()
+
+
+@persistent
+def _forget(*_):
+    """After them nothing that was known need be so."""
     drawing.forget()
+    bpy.context.window_manager.penpose.curve = 0
 
 
-_HANDLERS = ('undo_post', 'redo_post', 'load_post')
+_HANDLERS = [(when + '_pre', _stop) for when in ('undo', 'redo', 'load')] + [(when + '_post', _forget) for when in ('undo', 'redo', 'load')]
 
 
 def register():
     for one in _CLASSES:
         bpy.utils.register_class(one)
-    after = {'builtin.annotate'}
-    for tool in pen.TOOLS:
-        bpy.utils.register_tool(tool, after=after, separator=True)
+    pen.register()
+    tools.register()
     overlay.register()
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(_forget)
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
 
 
 def unregister():
     pen.stop()
     drawing.forget()
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(_forget)
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
     overlay.unregister()
-    for tool in reversed(pen.TOOLS):
-        bpy.utils.unregister_tool(tool)
+    tools.unregister()
+    pen.unregister()
     for one in reversed(_CLASSES):
         bpy.utils.unregister_class(one)

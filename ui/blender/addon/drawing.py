@@ -7,10 +7,11 @@ from mathutils import Vector
 from . import keys, store
 from .controls import Refused
 from .library import Error, Preset, Role, View
-from .rig import Rig, check
+from .rig import Rig, armature_of, check, give_back
 from .space import Space
 
-ROUNDS = 3  # a measured rig is measured again after each
+ROUNDS = 3  # after each a measured rig is measured again, and what locks and limits left is taken
+LONG = 1.0  # s that measuring takes without being told
 _rigs = {}  # by the object's name
 
 
@@ -18,69 +19,116 @@ class _Known:
     """A character that is in step with the curves that its object keeps."""
 
     def __init__(self, obj):
-        self.signature = _signature(obj)
-        self.rig = Rig(obj)
         self.kept = ''
         self.numbers = {}  # of the character's curves, by ids of those on the object
         self.said = []
+        self.read(obj)
+
+    def read(self, obj):
+        """Reads the rig of the object as it is now."""
+        self.signature, self.shapes = _signature(obj), _shapes(obj)
+        self.rig = Rig(obj)
+        self.kept, self.numbers = '', {}
+        if self.rig.took_s > LONG:
+            self.said.append('measuring what %d controls of %s do took %.1f s; lock or hide bones that you do not draw with' % (
+                len(self.rig.parts), obj.name, self.rig.took_s))
+
+
+def _rounded(matrix):
+    return tuple(round(x, 6) for row in matrix for x in row)
+
+
+def _places(points):
+    """Some of them, for all are many."""
+    return tuple(tuple(points[i].co) for i in range(0, len(points), max(1, len(points) // 50)))
+
+
+def _shapes(obj):
+    """Changes where any vertex of a key does, or one of some weights. Takes 0.1 s for 50 keys of 30000 vertices, so that it is not
+    asked where a target begins."""
+    keys = obj.data.shape_keys
+    out, one = [], np.empty(3 * len(obj.data.vertices), dtype=np.float32)
+    for key in keys.key_blocks if keys else ():
+        key.data.foreach_get('co', one)
+        out.append(hash(one.tobytes()))
+    vertices = obj.data.vertices
+    some = range(0, len(vertices), max(1, len(vertices) // 2000)) if obj.vertex_groups else ()
+    return out, [(e.group, e.weight) for i in some for e in vertices[i].groups]
+
+
+def _key_signature(keys):
+    blocks = tuple((k.name, k.mute, k.slider_min, k.slider_max, k.vertex_group, k.relative_key.name, _places(k.data))
+                   for k in keys.key_blocks)
+    return keys.library is not None, blocks
+
+
+def _bone_signature(bone):
+    limits = [(c.type, c.mute, c.influence, *(getattr(c, n, None) for n in ('min_x', 'max_x', 'min_y', 'max_y', 'min_z', 'max_z',
+                                                                          'use_limit_x', 'use_limit_y', 'use_limit_z', 'euler_order')))
+              for c in bone.constraints]
+    return (bone.name, bone.rotation_mode, tuple(bone.lock_rotation), bone.lock_rotations_4d, tuple(bone.location), tuple(bone.scale),
+            bone.bone.hide, tuple(limits))
 
 
 def _signature(obj):
     """Changes where the rig may have changed."""
     keys_of = obj.data.shape_keys
-    armature = obj.find_armature()
-    blocks = [(k.name, k.mute, k.slider_min, k.slider_max, k.vertex_group, k.relative_key.name) for k in keys_of.key_blocks] if keys_of else []
-    bones = [(b.name, tuple(b.lock_rotation), tuple(b.location), tuple(b.scale), len(b.constraints)) for b in armature.pose.bones] if armature else []
-    drivers = len(keys_of.animation_data.drivers) if keys_of and keys_of.animation_data else 0
+    armature = armature_of(obj)
+    blocks = _key_signature(keys_of) if keys_of else ()
+    bones = tuple(_bone_signature(b) for b in armature.pose.bones) if armature else ()
+    drivers = tuple(len(b.animation_data.drivers) for b in (keys_of, armature, obj) if b is not None and b.animation_data)
     modifiers = [(m.type, m.show_viewport) for m in obj.modifiers]
+    groups = tuple(g.name for g in obj.vertex_groups)
     coordinates = np.empty(3 * len(obj.data.vertices), dtype=np.float32)
     obj.data.vertices.foreach_get('co', coordinates)
     shape = hash(coordinates.tobytes())
-    linear = tuple(round(x, 6) for row in (obj.matrix_world.to_3x3()) for x in row)
-    return (obj.data.name, len(obj.data.polygons), len(obj.data.loops), shape, tuple(blocks), tuple(bones), drivers, tuple(modifiers), linear,
-            armature.name if armature else None)
+    between = _rounded(armature.matrix_world.inverted() @ obj.matrix_world) if armature else ()
+    return (obj.data.name, len(obj.data.polygons), len(obj.data.loops), shape, blocks, bones, drivers, tuple(modifiers), groups,
+            _rounded(obj.matrix_world.to_3x3()), armature.name if armature else None, between)
 
 
 def forget(name=None):
-    """Forgets what is known of an object, or of all: it is read again at the next stroke."""
+    """Forgets what is known of an object, or of all (after undo and as a file is opened): it is read again at the next stroke."""
     if name is None:
         _rigs.clear()
+        store.bring_back()
     else:
         _rigs.pop(name, None)
 
 
-def known(obj):
-    """The character of an object as it is now, with the curves that the object keeps."""
+def known(obj, wholly=False):
+    """The character of an object as it is now, with the curves that the object keeps. Raises Refused. `wholly`: whether each vertex
+    of its keys is looked at for changes; else some."""
     check(obj)
+    problem = store.problem(obj)
+    if problem:
+        raise Refused(problem)
     one = _rigs.get(obj.name)
-    if one is not None and one.signature != _signature(obj):
-        one = None
     if one is None:
         one = _rigs[obj.name] = _Known(obj)
-    elif one.rig.measured:
-        _measure_again(one, obj)
-    text = obj.get(store.PROPERTY, '')
-    if text != one.kept:
+    elif one.signature != _signature(obj) or not one.rig.holds(obj) or wholly and one.shapes != _shapes(obj):
+        one.read(obj)
+    if obj.get(store.PROPERTY, '') != one.kept:
         _bring_curves(one, obj)
     return one
-
-
-def _measure_again(one, obj):
-    one.rig = Rig(obj)
-    one.kept, one.numbers = '', {}
 
 
 def _bring_curves(one, obj):
     """Gives the character the object's curves; the pose stays."""
     rig, kept = one.rig, store.read(obj)
+    before = kept['topology']
     retired = store.found_again(kept, rig.mesh)
-    if retired:
-        one.said.append('%d curve%s lay on faces that are gone, and %s taken away' %
-                        (len(retired), 's' if len(retired) > 1 else '', 'were' if len(retired) > 1 else 'was'))
+    if kept['curves'] and kept['topology'] != before or retired:
         store.write(obj, kept)
+    if retired:
+        several = len(retired) > 1
+        one.said.append('%d curve%s of %s lay on faces that are gone, and %s taken away; draw %s again' % (
+            len(retired), 's' if several else '', obj.name, 'were' if several else 'was', 'them' if several else 'it'))
     rig.character.clear()
     one.numbers = {}
     for curve in kept['curves']:
+        if curve.get('off'):
+            continue
         role = Role.CONSTRAINT if curve['role'] == 'constraint' else Role.REFERENCE
         points = np.array(curve['points'])
         number = rig.character.curve_of(points[:, 0].astype(np.uint32), points[:, 1:], role)
@@ -95,18 +143,28 @@ def _bring_curves(one, obj):
     rig.take_pose()
 
 
+def become_its_file(obj):
+    """Makes the character of an object what the file of it holds, so that what is drawn on from here replays on that file. The file."""
+    one = known(obj)
+    one.rig.take_pose()
+    one.rig.character.clear()
+    one.rig.become_file()
+    _bring_curves(one, obj)
+    return one.rig.character.write('.glb')
+
+
 class Stroke:
     """One stroke on an object. `kind`: 'reference', 'target' (of the curve `of`, else of the last reference without one) or
     'constraint'; `seen`: the view it is drawn in (space.Seen). Raises Refused or library.Error, with nothing changed."""
 
     def __init__(self, obj, kind, seen, of=None):
         self.object, self.kind, self.seen = obj.name, kind, seen
-        self.known = known(obj)
+        self.known = known(obj, wholly=kind != 'target')
         self.rig = self.known.rig
         self.rig.take_pose()
-        self.before = self.rig.pose()
+        self.before, self.kept = self.rig.pose(), self.rig.kept()
         self.px, self.pressure = [], []
-        self.live = None
+        self.live, self.followed = None, None  # the pose that was set last
         if kind == 'target':
             self.curve = self._curve(obj, of)
             self.live = self.rig.character.live(self.known.numbers[self.curve], seen.view)
@@ -117,13 +175,19 @@ class Stroke:
             curves = [c for c in curves if c['id'] == of]
         else:
             curves = [c for c in curves if 'target' not in c] or curves
+        if not curves and of is not None:
+            raise Refused('%s has no curve %d to give a target; draw its reference again' % (obj.name, of))
         if not curves:
-            raise Refused('there is no reference curve yet; draw first where the feature is, on the mesh')
+            raise Refused('%s has no reference curve yet; draw first where the feature is, on the mesh' % obj.name)
+        if curves[-1]['id'] not in self.known.numbers:
+            raise Refused('curve %d of %s cannot be brought onto the mesh; delete it and draw it again' % (curves[-1]['id'], obj.name))
         return curves[-1]['id']
 
     def add(self, place, pressure=1.0):
         """A place of the region, px from its lower left corner. Moves nothing yet."""
         px = self.seen.px([place])[0]
+        if not np.isfinite(px).all():
+            return
         if self.px and np.abs(px - self.px[-1]).max() < 1e-3:
             return
         self.px.append(px)
@@ -133,8 +197,9 @@ class Stroke:
         """Moves the rig as far as the target is drawn; the pose."""
         if self.live is None or len(self.px) < 2:
             return None
-        pose = self.live.follow(np.array(self.px))
-        self.rig.apply(pose)
+        pose = self.live.follow(np.array(self.px)).copy()
+        self.rig.apply(pose, self.followed)
+        self.followed = pose
         return pose
 
     def places(self):
@@ -143,16 +208,16 @@ class Stroke:
 
     def cancel(self, obj):
         """Leaves no trace."""
-        self.rig.apply(self.before)
-        self.rig.take_pose()
-        del obj
+        give_back(self.kept)
+        if obj is None or obj.name != self.object:
+            forget(self.object)
 
     def end(self, obj):
         """The stroke is drawn: keeps its curve, settles the pose, keys what moved. The controls that moved."""
         if len(self.px) < 2:
             self.cancel(obj)
-            raise Refused('a stroke is a line; draw it with the pen down')
-        self.rig.apply(self.before)
+            raise Refused('a stroke is a line; draw it on %s with the pen down' % obj.name)
+        give_back(self.kept)
         self.rig.take_pose()
         px = np.array(self.px)
         pressure = None if all(p == 1.0 for p in self.pressure) else np.array(self.pressure)
@@ -163,7 +228,10 @@ class Stroke:
             return []
         try:
             self._settle(obj, px, pressure)
-        except Error:
+        except Error as problem:
+            self.cancel(obj)
+            raise Refused('the target on %s: %s' % (obj.name, problem)) from None
+        except Refused:
             self.cancel(obj)
             raise
         target = {'view': vars(self.seen.view), 'px': px.tolist(), 'pressure': [] if pressure is None else pressure.tolist()}
@@ -176,7 +244,10 @@ class Stroke:
 
     def _keep_curve(self, obj, kept, px):
         role = Role.CONSTRAINT if self.kind == 'constraint' else Role.REFERENCE
-        number = self.rig.character.draw(self.seen.view, px, role)
+        try:
+            number = self.rig.character.draw(self.seen.view, px, role)
+        except Error as problem:
+            raise Refused('the %s on %s: %s' % (self.kind, obj.name, problem)) from None
         triangles, shares = self.rig.character.points(number)
         points = [[int(t), *map(float, s)] for t, s in zip(triangles, shares)]
         curve = {'id': kept['next'], 'role': self.kind, 'points': points}
@@ -190,10 +261,11 @@ class Stroke:
     def _settle(self, obj, px, pressure):
         self.rig.character.draw_target(self.known.numbers[self.curve], self.seen.view, px, pressure)
         self.rig.apply(self.rig.character.pose)
-        for _ in range(ROUNDS if self.rig.measured else 0):
+        for _ in range(ROUNDS if self.rig.answers_otherwise() else 0):
             # What is measured holds near the pose it was measured at.
             known(obj)
             self.rig = self.known.rig
+            self.rig.take_pose()
             self.rig.character.draw_target(self.known.numbers[self.curve], self.seen.view, px, pressure)
             if not self.rig.apply(self.rig.character.pose):
                 break
@@ -201,14 +273,15 @@ class Stroke:
 
 def solve_again(obj):
     """Brings all curves to their targets from the pose as it is. The controls that moved."""
-    one = known(obj)
+    one = known(obj, wholly=True)
     before = one.rig.pose()
     one.rig.take_pose()
-    for _ in range(ROUNDS if one.rig.measured else 1):
+    for _ in range(ROUNDS if one.rig.answers_otherwise() else 1):
         one.rig.character.solve(Preset.DEFAULT)
-        if not one.rig.apply(one.rig.character.pose) or not one.rig.measured:
+        if not one.rig.apply(one.rig.character.pose):
             break
         one = known(obj)
+        one.rig.take_pose()
     moved = one.rig.moved_from(before)
     keys.key(moved)
     return moved
@@ -228,14 +301,16 @@ def places(obj, depsgraph):
         return []
     data = obj.data
     data.calc_loop_triangles()
-    triangles = np.empty(3 * len(data.loop_triangles), dtype=np.int32)
-    data.loop_triangles.foreach_get('vertices', triangles)
-    triangles = triangles.reshape(-1, 3)
+    used = {int(p[0]) for c in kept['curves'] for p in c['points']}
+    positions = shown_positions(obj, depsgraph)
+    if positions is None or max(used) >= len(data.loop_triangles):
+        return []
+    # This is drawn at each frame, and to ask for all triangles takes Blender ms.
+    triangles = np.zeros((len(data.loop_triangles), 3), dtype=np.int32)
+    for number in used:
+        triangles[number] = data.loop_triangles[number].vertices
     if obj.matrix_world.determinant() < 0:
         triangles = triangles[:, ::-1]
-    positions = shown_positions(obj, depsgraph)
-    if positions is None or max(p[0] for c in kept['curves'] for p in c['points']) >= len(triangles):
-        return []
     matrix = np.array(obj.matrix_world)
     return [(c, store.places_of(c, triangles, positions) @ matrix[:3, :3].T + matrix[:3, 3]) for c in kept['curves']]
 

@@ -35,20 +35,25 @@ def strokes_of(pencil):
         if one in kind:
             return [(one, s) for s in (strokes[-1:] if one == 'target' else strokes)]
     if len(strokes) < 2:
-        raise Refused('the active layer of %s has one stroke; draw two, a reference and its target, or name the layer after what it holds' % pencil.name)
+        raise Refused('the active layer of %s has one stroke; draw two, a reference and its target, or name the layer after what it holds' %
+                      pencil.name)
     return [('reference', strokes[-2]), ('target', strokes[-1])]
 
 
 def draw_strokes(obj, strokes, seen, to_region):
     """Draws them on the object as the pen would. `to_region`: the px of the region of a point of the world, or None."""
-    moved = []
-    for kind, points in strokes:
-        stroke = drawing.Stroke(obj, kind, seen)
-        for point in points:
-            place = to_region(point)
-            if place is not None:
-                stroke.add(place)
-        moved = stroke.end(obj)
+    moved, kept = [], obj.get(drawing.store.PROPERTY)
+    try:
+        for kind, points in strokes:
+            stroke = drawing.Stroke(obj, kind, seen)
+            for point in points:
+                place = to_region(point)
+                if place is not None:
+                    stroke.add(place)
+            moved = stroke.end(obj)
+    except (Refused, Error):
+        drawing.store.put_back(obj, kept)
+        raise
     return moved
 
 
@@ -61,7 +66,8 @@ class PENPOSE_OT_grease_pencil(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return context.area is not None and context.area.type == 'VIEW_3D' and pencil_of(context) is not None and target_mesh(context) is not None
+        return context.area is not None and context.area.type == 'VIEW_3D' and pencil_of(context) is not None and \
+            target_mesh(context) is not None
 
     def execute(self, context):
         from bpy_extras.view3d_utils import location_3d_to_region_2d

@@ -1,7 +1,8 @@
 """Keyframes where Blender puts them: on the frame, of what moved, while auto-key is on or a keying set is active."""
 import bpy
 
-from .controls import KeyControl, Property, rotation_path
+from .bones import BonePlace, rotation_path
+from .controls import KeyControl, Property
 
 
 def wanted(scene):
@@ -14,6 +15,8 @@ def channels_of(control):
     if isinstance(control, (KeyControl, Property)):
         block, path, index = control.path()
         return block, path, index, ''
+    if isinstance(control, BonePlace):
+        return control.pose_bone(), 'location', control.axis, control.bone
     turn = getattr(control, 'turn', control)
     bone = turn.pose_bone()
     return bone, rotation_path(bone), -1, bone.name
@@ -41,7 +44,7 @@ def key(controls, scene=None):
     done = set()
     for control in controls:
         block, path, index, group = channels_of(control)
-        name = (block.id_data.name, path, getattr(block, 'name', ''))
+        name = (block.id_data.name, path, index, getattr(block, 'name', ''))
         if name in done or (only_set is not None and not _in_set(only_set, block, path)):
             continue
         done.add(name)

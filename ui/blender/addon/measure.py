@@ -7,39 +7,46 @@ import time
 import bpy
 import numpy as np
 
-from .controls import TINY
+from .bones import BoneAngle, BonePlace, BoneTurn, may_turn, order_of_locks
+from .controls import TINY, KeyControl, Refused, curves_that_act, drivers_of, properties_that_drive
 from .library import Shape
 
-STEP = 0.05  # of a control's range, and radians of a bone's angle
-REACH = 0.6  # radians to either side that a bone may turn before it is measured again
+STEP = 0.05  # of a control's range
 MOST_BONES = 120
+# Modifiers that leave the vertices what they are; others are put aside while controls are measured.
+DEFORMING = ('ARMATURE', 'CAST', 'CORRECTIVE_SMOOTH', 'CURVE', 'DISPLACE', 'HOOK', 'LAPLACIANDEFORM', 'LATTICE', 'MESH_DEFORM',
+             'SHRINKWRAP', 'SIMPLE_DEFORM', 'SMOOTH', 'LAPLACIANSMOOTH', 'SURFACE_DEFORM', 'WARP', 'WAVE')
+LIMITS = ('LIMIT_ROTATION', 'LIMIT_LOCATION', 'LIMIT_SCALE')
 
 
-class BoneAngle:
-    """One angle of a pose bone as a control of its own."""
-
-    def __init__(self, turn, axis):
-        self.turn, self.axis = turn, axis
-        self.name = turn.names[axis]
-
-    def get(self):
-        return self.turn.get()[self.axis]
-
-    def set(self, value):
-        angles = self.turn.get()
-        angles[self.axis] = value
-        self.turn.set(angles)
-
-    def range(self):
-        now, (least, most) = self.get(), self.turn.range(self.axis)
-        return min(0.0, max(least, now - REACH)), max(0.0, min(most, now + REACH))
+def _followed(armature):
+    """Names of the bones that constraints of others follow."""
+    return {c.subtarget for b in armature.pose.bones for c in b.constraints
+            if not c.mute and c.influence > 0 and getattr(c, 'target', None) == armature and getattr(c, 'subtarget', '')}
 
 
-def bones_to_measure(obj, armature):
-    """Bones that a person sees and may turn: not hidden, not driven by constraints, not locked."""
-    visible = [b for b in armature.pose.bones if not b.bone.hide and not all(b.lock_rotation) and
-               not any(not c.mute and c.influence > 0 and c.type not in ('LIMIT_ROTATION', 'LIMIT_LOCATION', 'LIMIT_SCALE') for c in b.constraints)]
-    return visible[:MOST_BONES]
+def _bone_controls(armature):
+    """What a person sees and may move: not hidden, not moved by constraints or drivers, not locked."""
+    out, driven, followed = [], [d.data_path for d in drivers_of(armature)], _followed(armature)
+    corners = [armature.data.bones[b.name].head_local for b in armature.pose.bones]
+    reach = 0.5 * max([(a - corners[0]).length for a in corners] + [b.length for b in armature.data.bones])
+    bones = [b for b in armature.pose.bones if not b.bone.hide and
+             not any(not c.mute and c.influence > 0 and c.type not in LIMITS for c in b.constraints)]
+    for bone in bones[:MOST_BONES]:
+        head = 'pose.bones["%s"].' % bpy.utils.escape_identifier(bone.name)
+        if may_turn(bone) and not any(p.startswith(head + 'rotation') for p in driven):
+            turn = BoneTurn(armature, bone, order_of_locks(bone))
+            out += [BoneAngle(turn, axis) for axis in range(3) if not bone.lock_rotation[axis]]
+        if bone.name in followed and not bone.bone.use_connect and head + 'location' not in driven:
+            out += [BonePlace(armature, bone, axis, reach) for axis in range(3) if not bone.lock_location[axis]]
+    return out
+
+
+def controls_of(obj, armature, keys):
+    """All controls that are measured; `keys`: the shape keys that are free."""
+    controls = [KeyControl(obj, k) for k in keys]
+    controls += properties_that_drive(curves_that_act(obj, armature))
+    return controls + (_bone_controls(armature) if armature is not None else [])
 
 
 def evaluated(obj, count):
@@ -54,43 +61,58 @@ def evaluated(obj, count):
 
 
 def measured(obj, space, controls):
-    """The character's positions at value 0 of all controls, a shape for each, and how long it took, s."""
+    """The character's positions where all controls have what is their rest, a shape for each, and how long it took, s."""
     begin = time.perf_counter()
     count = len(obj.data.vertices)
-    suspended = [m for m in obj.modifiers if m.show_viewport and m.type not in ('ARMATURE', 'LATTICE', 'SURFACE_DEFORM', 'MESH_DEFORM',
-                                                                              'CORRECTIVE_SMOOTH', 'SMOOTH', 'SHRINKWRAP', 'CAST', 'HOOK', 'WARP')]
+    suspended = [m for m in obj.modifiers if m.show_viewport and m.type not in DEFORMING]
     for modifier in suspended:
         modifier.show_viewport = False
     try:
         now = _look(obj, count)
-        base, shapes = now.copy(), []
+        base, found = now.copy(), []
         for control in controls:
-            value = control.get()
-            least, most = control.range()
-            step = STEP if isinstance(control, BoneAngle) else STEP * (most - least)
-            if value + step > most:
-                step = -step
-            control.set(value + step)
-            ways = (_look(obj, count) - now) / step
-            control.set(value)
-            base -= value * ways
-            shapes.append((control, ways, min(least, value), max(most, value)))
+            way = _way(obj, control, now)
+            base -= (control.get() - control.rest()) * way
+            found.append((control, way))
         _look(obj, count)
     finally:
         for modifier in suspended:
             modifier.show_viewport = True
-    used, out = set(), []
-    for control, ways, least, most in shapes:
+    out, used = [], set()
+    for control, way in found:
         name = control.name
         while name in used:
             name += ' '
         used.add(name)
-        ways = space.of_object(ways)
-        ways[np.abs(ways).max(axis=1) < TINY * max(1e-9, np.abs(base).max())] = 0
-        out.append(Shape(name, ways.astype(np.float32), None, least, most))
+        way = space.of_object(way)
+        way[np.abs(way).max(axis=1) < TINY * max(1e-9, np.abs(base).max())] = 0
+        least, most = (end - control.rest() for end in control.range())
+        out.append(Shape(name, way.astype(np.float32), None, min(0.0, least), max(0.0, most)))
     return space.of_object(base), out, time.perf_counter() - begin
+
+
+def _way(obj, control, now):
+    """Where a unit of a control moves the vertices, from a small step of it; the control has then what it had, to the bit."""
+    kept, value = control.kept(), control.get()
+    least, most = control.range()
+    step = getattr(control, 'STEP', STEP * (most - least))
+    if getattr(control, 'whole', False):
+        step = max(1.0, round(step))
+    if value + step > most:
+        step = -step
+    try:
+        control.set(value + step)
+        moved = control.get() - value
+        return (_look(obj, len(now)) - now) / moved if abs(moved) > TINY else np.zeros_like(now)
+    finally:
+        control.give_back(kept)
 
 
 def _look(obj, count):
     bpy.context.view_layer.update()
-    return evaluated(obj, count)
+    seen = evaluated(obj, count)
+    if seen is None:
+        raise Refused('a modifier changes the number of vertices of %s; turn it off in the viewport while you draw' % obj.name)
+    if not np.isfinite(seen).all():
+        raise Refused('%s shows a vertex that is not finite (NaN); mend its keys, bones or drivers' % obj.name)
+    return seen

@@ -1,10 +1,11 @@
 """The pen in the viewport: one stroke is one operator and one step of undo."""
 import bpy
-from bpy.props import EnumProperty, IntProperty
+from bpy.props import EnumProperty, IntProperty, PointerProperty
 
 from . import drawing, overlay, recording, versions
 from .controls import Refused
 from .library import Error
+from .rig import check
 from .space import seen_by
 
 KINDS = [('AUTO', 'Draw', 'A reference where the feature is, then its target where it should be, in turn', 'GREASEPENCIL', 0),
@@ -12,13 +13,41 @@ KINDS = [('AUTO', 'Draw', 'A reference where the feature is, then its target whe
          ('target', 'Target', 'Where the reference should be: the face follows', 'FORWARD', 2),
          ('constraint', 'Constraint', 'What stays where it is', 'PINNED', 3)]
 
-_drawn = []  # the operator whose stroke is being drawn
+_running = []  # operators that wait for a stroke or draw one
+
+
+def running(operator):
+    """Whether an operator still does; stop() ends it from outside."""
+    return operator in _running
+
+
+def begin(operator):
+    """An operator waits for strokes from now on."""
+    _running.append(operator)
+
+
+def ended(operator):
+    """It waits no more: what it shows goes."""
+    if operator in _running:
+        _running.remove(operator)
+    overlay.show_stroke(None)
+    if bpy.context.workspace is not None:
+        bpy.context.workspace.status_text_set(None)
+    redraw()
 
 
 def stop():
-    """Ends the stroke that is being drawn, without a trace (the add-on goes, or a file is loaded)."""
-    for operator in list(_drawn):
+    """Ends the strokes that are being drawn, without a trace: the add-on goes, a file is loaded, or an undo comes."""
+    for operator in list(_running):
         operator.leave()
+
+
+def redraw():
+    """All viewports show what is new. Areas are looked up at each use, for they may be closed at any time."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == 'VIEW_3D':
+                area.tag_redraw()
 
 
 def mesh_of(context):
@@ -31,12 +60,39 @@ def mesh_of(context):
     return active
 
 
-def kind_of(kind, obj):
-    """What the next stroke is: in turn, a reference without a target is given one."""
-    if kind != 'AUTO':
-        return kind
-    waits = any(c['role'] == 'reference' and 'target' not in c for c in drawing.store.read(obj)['curves'])
-    return 'target' if waits else 'reference'
+def why_not(context):
+    """Why nothing can be drawn on now, in a line with the remedy; empty: it can."""
+    obj = mesh_of(context)
+    if obj is None or obj.type != 'MESH':
+        return 'Select the mesh to draw on'
+    try:
+        check(obj)
+    except Refused as problem:
+        return str(problem)
+    return ''
+
+
+class PENPOSE_PG_pen(bpy.types.PropertyGroup):
+    """What the pen draws next. It belongs to the session, not to the file."""
+    kind: EnumProperty(name='Next Stroke', description='What the next stroke of the pen is', items=KINDS, default='AUTO')
+    curve: IntProperty(name='Curve', description='The reference that the next stroke is the target of; 0: in turn', default=0, min=0)
+
+
+def next_stroke(obj, kind='AUTO', curve=0):
+    """What the next stroke is: its kind, and the reference that a target is of or None. A reference without a target is given one
+    in turn."""
+    pen = bpy.context.window_manager.penpose
+    if kind == 'AUTO' and not curve:
+        kind, curve = pen.kind, pen.curve
+    references = [c for c in drawing.store.read(obj)['curves'] if c['role'] == 'reference']
+    chosen = [c for c in references if c['id'] == curve]
+    waiting = [c for c in references if 'target' not in c]
+    if kind == 'AUTO':
+        kind = 'target' if chosen or waiting else 'reference'
+    if kind != 'target':
+        return kind, None
+    found = chosen or waiting or references
+    return kind, found[-1]['id'] if found else None
 
 
 def seen_in(region, rv3d, obj):
@@ -46,43 +102,70 @@ def seen_in(region, rv3d, obj):
     return seen_by(rv3d.view_matrix, rv3d.window_matrix, region.width, region.height, space, around)
 
 
+def region_below(context, event):
+    """The viewport's region that an event lies in, or None where a panel or a toolbar lies over it."""
+    if context.area is None or context.area.type != 'VIEW_3D':
+        return None
+    below = [r for r in context.area.regions if r.width > 1 and r.height > 1
+             and 0 <= event.mouse_x - r.x < r.width and 0 <= event.mouse_y - r.y < r.height]
+    return below[0] if len(below) == 1 and below[0].type == 'WINDOW' else None
+
+
 class PENPOSE_OT_draw(bpy.types.Operator):
     """Draw on the mesh: first where the feature is, then where it should be"""
     bl_idname = 'penpose.draw'
     bl_label = 'Draw'
     bl_options = {'REGISTER', 'UNDO'}
 
-    kind: EnumProperty(name='Stroke', items=KINDS, default='AUTO')
+    kind: EnumProperty(name='Stroke', description='What the stroke is', items=KINDS, default='AUTO')
     curve: IntProperty(name='Curve', description='The reference that the target is of; 0: the last without one', default=0, min=0)
 
     @classmethod
     def poll(cls, context):
-        return context.area is not None and context.area.type == 'VIEW_3D' and mesh_of(context) is not None
+        if context.area is None or context.area.type != 'VIEW_3D':
+            cls.poll_message_set('The pen draws in a 3D Viewport')
+            return False
+        if mesh_of(context) is None:
+            cls.poll_message_set('Select the mesh to draw on')
+            return False
+        return True
 
     def invoke(self, context, event):
         obj = mesh_of(context)
+        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, ''
+        self.kind_drawn = next_stroke(obj, self.kind, self.curve)[0]
+        if context.region is not None and context.region.type == 'WINDOW' and event.value in {'PRESS', 'CLICK_DRAG'}:
+            if not self._press(context, event, context.region, obj):
+                return {'CANCELLED'}
+        begin(self)
+        self._say(context)
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def _press(self, context, event, region, obj):
+        """The pen touches: the stroke begins. Whether it does."""
         try:
-            self.kind_drawn = kind_of(self.kind, obj)
-            self.stroke = drawing.Stroke(obj, self.kind_drawn, seen_in(context.region, context.region_data, obj), self.curve or None)
+            self.kind_drawn, curve = next_stroke(obj, self.kind, self.curve)
+            self.stroke = drawing.Stroke(obj, self.kind_drawn, seen_in(region, region.data, obj), curve)
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
-            return {'CANCELLED'}
-        self.object = obj.name
-        self.frame = context.scene.frame_current
-        self.region = context.region
-        self.area = context.area
-        self.button = event.type
-        _drawn.append(self)
+            return False
+        self.button, self.corner = event.type, (region.x, region.y)
         self._take(event)
-        overlay.show_stroke(self.stroke)
-        context.window_manager.modal_handler_add(self)
-        context.workspace.status_text_set('%s of %s: lift the pen to keep it, Esc to leave no trace' % (self.kind_drawn.capitalize(), obj.name))
-        return {'RUNNING_MODAL'}
+        if self.kind_drawn == 'target':
+            self.plain = versions.plain_normals(obj.data)
+        overlay.show_stroke(self.stroke, region)
+        return True
+
+    def _say(self, context):
+        what = '%s of %s' % (self.kind_drawn.capitalize(), self.object)
+        context.workspace.status_text_set(what + (': lift the pen to keep it, Esc to leave no trace' if self.stroke else
+                                                  ': draw it in the viewport, Esc to give up'))
 
     def _take(self, event):
         pressure = event.pressure if getattr(event, 'is_tablet', False) else 1.0
         # Events count from the window's corner; the region may be another one than that below the pen.
-        self.stroke.add((event.mouse_x - self.region.x, event.mouse_y - self.region.y), pressure)
+        self.stroke.add((event.mouse_x - self.corner[0], event.mouse_y - self.corner[1]), pressure)
 
     def _object(self, context):
         """The object, while the stroke makes sense; else None."""
@@ -92,16 +175,33 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         return obj
 
     def modal(self, context, event):
-        if self not in _drawn:
+        if not running(self):
             return {'CANCELLED'}
         try:
-            return self._modal(context, event)
+            return self._wait(context, event) if self.stroke is None else self._modal(context, event)
         except (Refused, Error) as problem:
-            self.report({'ERROR'}, str(problem))
-        except ReferenceError:
+            self.report({'WARNING'}, str(problem))
+        except (ReferenceError, KeyError, AttributeError):
             self.report({'WARNING'}, 'what was drawn on is gone; the stroke is given up')
         self.leave()
         return {'CANCELLED'}
+
+    def _wait(self, context, event):
+        """Until the pen touches: the operator came from a menu or a button. The view may be turned meanwhile."""
+        obj = self._object(context)
+        if obj is None or event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+            self.leave()
+            return {'CANCELLED'}
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or event.alt:
+            return {'PASS_THROUGH'}
+        region = region_below(context, event)
+        if region is None:
+            return {'PASS_THROUGH'}
+        if not self._press(context, event, region, obj):
+            self.leave()
+            return {'CANCELLED'}
+        self._say(context)
+        return {'RUNNING_MODAL'}
 
     def _modal(self, context, event):
         obj = self._object(context)
@@ -114,53 +214,63 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         elif event.type == 'MOUSEMOVE':
             self._take(event)
             self.stroke.follow()
-            self.area.tag_redraw()
+            redraw()
         elif event.type in {'ESC', 'RIGHTMOUSE'}:
             self.leave()
             return {'CANCELLED'}
         elif event.type == self.button and event.value == 'RELEASE' or event.type == 'RET':
             self._take(event)
+            self._normals_back()
             moved = self.stroke.end(obj)
-            recording.note(obj)
-            self._done()
-            for said in drawing.said(obj):
-                self.report({'INFO'}, said)
-            if moved:
-                self.report({'INFO'}, 'Moved: ' + ', '.join(control_name(c) for c in moved[:8]) + (', ...' if len(moved) > 8 else ''))
-            elif self.kind_drawn == 'target':
-                self.report({'WARNING'}, 'nothing moved: no free control brings the reference nearer to that line')
+            context.window_manager.penpose.curve = 0
+            ended(self)
+            self._tell(obj, moved)
             return {'FINISHED'}
         return {'RUNNING_MODAL'}
+
+    def _tell(self, obj, moved):
+        try:
+            recording.note(obj)
+        except (Refused, Error, OSError) as problem:
+            self.report({'WARNING'}, str(problem))
+        for said in drawing.said(obj):
+            self.report({'INFO'}, said)
+        if moved:
+            self.report({'INFO'}, 'Moved: ' + ', '.join(control_name(c) for c in moved[:8]) + (', ...' if len(moved) > 8 else ''))
+        elif self.kind_drawn == 'target':
+            self.report({'WARNING'}, 'nothing moved: no free control brings the reference nearer to that line')
+
+    def _normals_back(self):
+        name, self.plain = self.plain, ''
+        versions.normals_back(name)
 
     def cancel(self, context):
         self.leave()
 
     def leave(self):
         """Gives the stroke up: everything as before it."""
-        if self not in _drawn:
+        if not running(self):
             return
-        obj = bpy.data.objects.get(self.object)
-        try:
-            if obj is not None:
-                self.stroke.cancel(obj)
-        except (ReferenceError, KeyError, AttributeError):
-            drawing.forget(self.object)
-        self._done()
-
-    def _done(self):
-        if self in _drawn:
-            _drawn.remove(self)
-        overlay.show_stroke(None)
-        try:
-            bpy.context.workspace.status_text_set(None)
-            self.area.tag_redraw()
-        except (ReferenceError, AttributeError):
-            pass
+        self._normals_back()
+        if self.stroke is not None:
+            self.stroke.cancel(bpy.data.objects.get(self.object))
+            if bpy.context.scene.frame_current != self.frame:
+                # What is animated has the values of the new frame.
+                bpy.context.scene.frame_set(bpy.context.scene.frame_current)
+        ended(self)
 
 
 def control_name(control):
     """As it is called in a message."""
     return getattr(control, 'name', None) or control.bone
+
+
+def _has_curves(cls, context):
+    obj = mesh_of(context)
+    if obj is None or not obj.get(drawing.store.PROPERTY):
+        cls.poll_message_set('No curve is drawn on the active object')
+        return False
+    return True
 
 
 class PENPOSE_OT_solve(bpy.types.Operator):
@@ -171,8 +281,7 @@ class PENPOSE_OT_solve(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        obj = mesh_of(context)
-        return obj is not None and bool(obj.get(drawing.store.PROPERTY))
+        return _has_curves(cls, context)
 
     def execute(self, context):
         try:
@@ -188,41 +297,72 @@ class PENPOSE_OT_delete_curve(bpy.types.Operator):
     """Take a curve away; the pose stays"""
     bl_idname = 'penpose.delete_curve'
     bl_label = 'Delete Curve'
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'UNDO'}
 
     curve: IntProperty(name='Curve', description='Its number; 0: all of them', default=0, min=0)
 
     @classmethod
     def poll(cls, context):
-        obj = mesh_of(context)
-        return obj is not None and bool(obj.get(drawing.store.PROPERTY))
+        return _has_curves(cls, context)
 
     def execute(self, context):
         drawing.delete(mesh_of(context), self.curve or None)
         return {'FINISHED'}
 
 
-class PenposeTool(bpy.types.WorkSpaceTool):
-    bl_space_type = 'VIEW_3D'
-    bl_context_mode = 'OBJECT'
-    bl_idname = 'penpose.pen'
-    bl_label = 'Penpose'
-    bl_description = 'Pose by drawing: where the feature is, then where it should be'
-    bl_icon = 'ops.gpencil.draw.line'
-    bl_keymap = (('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS'}, {'properties': [('kind', 'AUTO')]}),
-                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'shift': True}, {'properties': [('kind', 'constraint')]}),
-                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'ctrl': True}, {'properties': [('kind', 'reference')]}))
+class PENPOSE_OT_choose(bpy.types.Operator):
+    """Draw the target of this reference with the next stroke. Click again to leave it"""
+    bl_idname = 'penpose.choose'
+    bl_label = 'Choose Curve'
+    bl_options = {'INTERNAL'}
+
+    curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
+
+    @classmethod
+    def poll(cls, context):
+        return _has_curves(cls, context)
+
+    def execute(self, context):
+        pen = context.window_manager.penpose
+        pen.curve = 0 if pen.curve == self.curve else self.curve
+        if pen.curve:
+            pen.kind = 'AUTO'
+        redraw()
+        return {'FINISHED'}
 
 
-class PenposePoseTool(bpy.types.WorkSpaceTool):
-    bl_space_type = PenposeTool.bl_space_type
-    bl_context_mode = 'POSE'
-    bl_idname = 'penpose.pen_in_pose'
-    bl_label = PenposeTool.bl_label
-    bl_description = PenposeTool.bl_description
-    bl_icon = PenposeTool.bl_icon
-    bl_keymap = PenposeTool.bl_keymap
+class PENPOSE_OT_hold(bpy.types.Operator):
+    """Heed this constraint, or leave it for now"""
+    bl_idname = 'penpose.hold'
+    bl_label = 'Heed Constraint'
+    bl_options = {'UNDO'}
+
+    curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
+
+    @classmethod
+    def poll(cls, context):
+        return _has_curves(cls, context)
+
+    def execute(self, context):
+        obj = mesh_of(context)
+        kept = drawing.store.read(obj)
+        curve = drawing.store.find(kept, self.curve)
+        if curve is None or curve['role'] != 'constraint':
+            self.report({'WARNING'}, 'there is no such constraint')
+            return {'CANCELLED'}
+        if not curve.pop('off', False):
+            curve['off'] = True
+        drawing.store.write(obj, kept)
+        redraw()
+        return {'FINISHED'}
 
 
-CLASSES = (PENPOSE_OT_draw, PENPOSE_OT_solve, PENPOSE_OT_delete_curve)
-TOOLS = (PenposeTool, PenposePoseTool)
+CLASSES = (PENPOSE_PG_pen, PENPOSE_OT_draw, PENPOSE_OT_solve, PENPOSE_OT_delete_curve, PENPOSE_OT_choose, PENPOSE_OT_hold)
+
+
+def register():
+    bpy.types.WindowManager.penpose = PointerProperty(type=PENPOSE_PG_pen)
+
+
+def unregister():
+    del bpy.types.WindowManager.penpose

@@ -21,11 +21,12 @@ def begin(obj, path):
     """Records from now on: writes the model beside the session, which is written anew after each stroke."""
     one = drawing.known(obj)
     if one.rig.measured:
-        raise Refused('%s is moved by %s, which a model file does not hold; bake them, or draw without a record' % (obj.name, one.rig.measured))
+        raise Refused('%s is moved by %s, which a model file does not hold; bake them, or draw without a record' % (
+            obj.name, one.rig.measured))
     stem = os.path.splitext(path)[0]
     model = stem + '.glb'
     with open(model, 'wb') as f:
-        f.write(one.rig.character.write('.glb'))
+        f.write(drawing.become_its_file(obj))
     one.rig.character.record(os.path.basename(model))
     _records[obj.name] = stem + '.session'
     note(obj)

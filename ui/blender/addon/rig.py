@@ -10,31 +10,52 @@ import numpy as np
 from mathutils import Matrix
 
 from . import measure
-from .controls import TINY, BoneTurn, KeyControl, Refused, drivers_of, limit_of, properties_that_drive, turn_of
+from .bones import BoneTurn, limit_of, may_turn, seen_turn
+from .controls import TINY, KeyControl, Refused, curves_that_act, drivers_of
 from .library import Character, Joint, Shape
 from .space import Space
 
 MOST_VERTICES = 1000000
 
 
+def armature_modifiers(obj):
+    """The Armature modifiers that are seen."""
+    return [m for m in obj.modifiers if m.type == 'ARMATURE' and m.show_viewport and m.object is not None]
+
+
 def armature_of(obj):
     """The armature that carries a mesh, or None."""
-    for modifier in obj.modifiers:
-        if modifier.type == 'ARMATURE' and modifier.show_viewport and modifier.object is not None:
-            return modifier.object
+    for modifier in armature_modifiers(obj):
+        return modifier.object
     if obj.parent is not None and obj.parent.type == 'ARMATURE' and obj.parent_type == 'ARMATURE':
         return obj.parent
     return None
 
 
+LINKED = 'make a library override of the whole character (Object > Library Override > Make)'
+
+
+def _check_armature(obj):
+    armature = armature_of(obj)
+    if armature is None:
+        return
+    if armature.library is not None:
+        raise Refused('%s, which carries %s, is linked; %s' % (armature.name, obj.name, LINKED))
+    if armature.data.pose_position == 'REST':
+        raise Refused('%s, which carries %s, is shown at rest; set it to Pose Position in the properties of the armature' % (
+            armature.name, obj.name))
+    if abs(armature.matrix_world.determinant()) < 1e-30:
+        raise Refused('%s, which carries %s, has a scale of 0; give it another' % (armature.name, obj.name))
+
+
 def check(obj):
     """Refuses what cannot be drawn on."""
     if obj is None or obj.type != 'MESH':
-        raise Refused('the active object is no mesh; select the mesh that shows the face')
+        raise Refused('%s is no mesh; select the mesh that is to be drawn on' % (obj.name if obj is not None else 'what is active'))
     if obj.mode not in ('OBJECT', 'POSE'):
         raise Refused('%s is in %s mode; go to Object or Pose mode' % (obj.name, obj.mode.lower().replace('_', ' ')))
     if obj.library is not None:
-        raise Refused('%s is linked; make a library override of it (Object > Library Override)' % obj.name)
+        raise Refused('%s is linked; %s' % (obj.name, LINKED))
     if any(m.type == 'MULTIRES' and m.show_viewport and m.levels > 0 for m in obj.modifiers):
         raise Refused('%s has Multires levels in the viewport; set its Level Viewport to 0' % obj.name)
     if len(obj.data.vertices) > MOST_VERTICES:
@@ -47,6 +68,9 @@ def check(obj):
         raise Refused('the shape keys of %s are not relative; tick Relative in the panel Shape Keys' % obj.name)
     if keys is not None and obj.show_only_shape_key:
         raise Refused('%s shows a single shape key alone; turn off the pin in the panel Shape Keys' % obj.name)
+    if abs(obj.matrix_world.determinant()) < 1e-30:
+        raise Refused('%s has a scale of 0; give it another' % obj.name)
+    _check_armature(obj)
 
 
 def _coordinates(points, count):
@@ -82,6 +106,7 @@ class Mesh:
         keys = data.shape_keys
         points = keys.reference_key.data if keys else data.vertices
         self.rest = self.space.of_object(_finite(_coordinates(points, count), obj.name))
+        self.lifted = self.rest.copy()  # where keys are at the value that the character has as 0
         data.calc_loop_triangles()
         corners = np.empty(3 * len(data.loop_triangles), dtype=np.int32)
         data.loop_triangles.foreach_get('vertices', corners)
@@ -96,9 +121,9 @@ def _is_driven(block, path):
 
 
 def free_keys(obj):
-    """The shape keys that a person may move: relative to another, not muted, not driven, not at a range of nothing."""
+    """The shape keys that a person may move: relative to another, not muted, not driven, not linked, not at a range of nothing."""
     keys = obj.data.shape_keys
-    if keys is None:
+    if keys is None or keys.library is not None:
         return []
     return [k for k in keys.key_blocks
             if k != keys.reference_key and not k.mute and k.slider_max > k.slider_min
@@ -106,7 +131,7 @@ def free_keys(obj):
 
 
 def shapes_of(obj, mesh):
-    """All keys that are seen, as shapes, and which of them may move."""
+    """All keys that are seen, as shapes, and which of them may move. Those that cannot be 0 lift the mesh."""
     keys = obj.data.shape_keys
     if keys is None:
         return [], []
@@ -116,13 +141,15 @@ def shapes_of(obj, mesh):
         if key == keys.reference_key or key.mute:
             continue
         deltas = _coordinates(key.data, count).astype(np.float64) - _coordinates(key.relative_key.data, count)
-        deltas = mesh.space.of_object(_finite(deltas, 'the shape key ' + key.name))
+        deltas = mesh.space.of_object(_finite(deltas, 'the shape key %s of %s' % (key.name, obj.name)))
         weights = _group_weights(obj, key.vertex_group)
         if weights is not None:
             deltas *= weights[:, None]
         control = KeyControl(obj, key)
         least, most = control.range()
-        shapes.append(Shape(control.name, deltas.astype(np.float32), None, min(least, key.value), max(most, key.value)))
+        rest = control.rest()
+        mesh.lifted += rest * deltas
+        shapes.append(Shape(control.name, deltas.astype(np.float32), None, min(least, key.value) - rest, max(most, key.value) - rest))
         movable.append((control, key.name in free))
     return shapes, movable
 
@@ -172,26 +199,31 @@ class Skin:
         to_object = armature.matrix_world.inverted() @ obj.matrix_world
         from_character = to_object @ mesh.space.linear.inverted().to_4x4()
         self.joints = _affine_joints('armature', from_character.inverted(), np.eye(4))
-        first = len(self.joints)
+        self.joints[-1].inverse_bind = np.array(from_character)  # of the vertices that no bone carries
+        self.ground = len(self.joints) - 1
         bones = _ordered(armature.data.bones)
-        number = {bone.name: first + i for i, bone in enumerate(bones)}
-        carries = self._weights(obj, armature, number)
-        moving = self._moving(bones, number)
-        self.turns = []
+        moving = self._moving(obj, armature, bones)
+        self.turns, number = [], {}
         for bone in bones:
             pose = armature.pose.bones[bone.name]
-            rest = bone.parent.matrix_local.inverted() @ bone.matrix_local if bone.parent else bone.matrix_local
-            posable = bone.name in moving and not all(pose.lock_rotation)
-            turn = BoneTurn(armature, pose)
-            rotation = rest.to_3x3() if posable else rest.to_3x3() @ turn_of(pose).to_matrix()
-            ranges = [turn.range(axis) for axis in range(3)]
-            self.joints.append(Joint(
-                bone.name, number[bone.parent.name] if bone.parent else first - 1,
-                list(rest.to_translation() + rest.to_3x3() @ pose.location), _xyzw(rotation), list(pose.scale),
-                np.array(bone.matrix_local.inverted() @ from_character), posable, [r[0] for r in ranges], [r[1] for r in ranges]))
-            if posable:
+            parent = number[bone.parent.name] if bone.parent else self.ground
+            turn = BoneTurn(armature, pose) if bone.name in moving and may_turn(pose) else None
+            self._add(bone, pose, parent, turn, np.array(bone.matrix_local.inverted() @ from_character))
+            number[bone.name] = len(self.joints) - 1
+            if turn is not None:
                 self.turns.append(turn)
-        self.joint_of, self.weight_of = carries
+        self.joint_of, self.weight_of = self._weights(obj, armature, number)
+
+    def _add(self, bone, pose, parent, turn, inverse_bind):
+        rest = bone.parent.matrix_local.inverted() @ bone.matrix_local if bone.parent else bone.matrix_local
+        place, rotation = list(rest.to_translation() + rest.to_3x3() @ pose.location), rest.to_3x3()
+        if turn is None:
+            fixed = _xyzw(rotation @ seen_turn(pose).to_matrix())
+            self.joints.append(Joint(bone.name, parent, place, fixed, list(pose.scale), inverse_bind, False))
+            return
+        ranges = [turn.range(axis) for axis in range(3)]
+        self.joints.append(Joint(bone.name, parent, place, _xyzw(rotation), list(pose.scale), inverse_bind, True,
+                                 [r[0] for r in ranges], [r[1] for r in ranges]))
 
     def _weights(self, obj, armature, number):
         groups = {g.index: number[g.name] for g in obj.vertex_groups if g.name in number and armature.data.bones[g.name].use_deform}
@@ -199,39 +231,39 @@ class Skin:
         width = max(1, max(map(len, rows)))
         joint_of, weight_of = np.zeros((len(rows), width), dtype=np.uint32), np.zeros((len(rows), width))
         for v, row in enumerate(rows):
-            for i, (joint, weight) in enumerate(row):
+            for i, (joint, weight) in enumerate(row or [(self.ground, 1.0)]):
                 joint_of[v, i], weight_of[v, i] = joint, weight
-        self.carrying = set(np.unique(joint_of[weight_of > 0]).tolist())
         return joint_of, weight_of
 
-    def _moving(self, bones, number):
-        """Bones that carry vertices, or whose children do."""
+    def _moving(self, obj, armature, bones):
+        """Bones that may carry vertices, or whose children do."""
+        groups = {g.index: g.name for g in obj.vertex_groups if g.name in armature.data.bones}
+        used = {groups[e.group] for v in obj.data.vertices for e in v.groups if e.group in groups and e.weight > 0}
         moving = set()
         for bone in reversed(bones):
-            if number[bone.name] in self.carrying or any(c.name in moving for c in bone.children):
+            if bone.name in used and bone.use_deform or any(c.name in moving for c in bone.children):
                 moving.add(bone.name)
         return moving
 
 
 def acts_between(obj, armature):
     """Why controls have to be measured, in a few words; empty: keys and bones alone make what is seen."""
-    keys = obj.data.shape_keys
-    if properties_that_drive([keys, armature, armature.data if armature else None]):
+    if curves_that_act(obj, armature):
         return 'drivers'
+    for modifier in obj.modifiers:
+        if modifier.type in measure.DEFORMING and modifier.type != 'ARMATURE' and modifier.show_viewport:
+            return 'the modifier ' + modifier.name
     if armature is None:
         return ''
-    for modifier in obj.modifiers:
-        if modifier.type == 'ARMATURE' and modifier.object == armature and (
-                modifier.use_deform_preserve_volume or modifier.use_bone_envelopes or modifier.vertex_group):
-            return 'options of the Armature modifier'
+    carriers = armature_modifiers(obj)
+    if len(carriers) > 1:
+        return 'several Armature modifiers'
+    if any(m.use_deform_preserve_volume or m.use_bone_envelopes or m.vertex_group or not m.use_vertex_groups for m in carriers):
+        return 'options of the Armature modifier'
     names = {g.name for g in obj.vertex_groups}
     carrying = [b for b in armature.pose.bones if b.name in names and b.bone.use_deform]
     above = {p.name: p for bone in carrying for p in [bone, *bone.parent_recursive]}
-    if any(not is_plain(b) for b in above.values()):
-        return 'constraints of bones'
-    if any('rotation' in d.data_path for d in drivers_of(armature)):
-        return 'drivers'
-    return ''
+    return '' if all(is_plain(b) for b in above.values()) else 'constraints of bones'
 
 
 class Rig:
@@ -245,37 +277,52 @@ class Rig:
         self.object = obj.name
         self.mesh = Mesh(obj)
         armature = armature_of(obj)
-        if armature is not None and armature.library is not None:
-            raise Refused('%s is linked; make a library override of it (Object > Library Override)' % armature.name)
         self.armature = armature.name if armature else None
-        self.measured, self.took_s = acts_between(obj, armature), 0.0
+        self.measured, self.took_s, self.shown = acts_between(obj, armature), 0.0, None
         if self.measured:
             self._measure(obj, armature)
         else:
             self._take(obj, armature)
         if not any(free for _, _, free in self.parts):
+            keys = obj.data.shape_keys
+            if keys is not None and keys.library is not None:
+                raise Refused('the shape keys of %s are linked, and nothing else moves it; make a library override of its mesh too' %
+                              obj.name)
             raise Refused('%s has nothing to pose: no shape key and no bone that moves it; the Rig tool makes a key' % obj.name)
+        self.offsets = np.array([value for control, _, _ in self.parts for value in _listed(control.rest())])
+        limits = self.character.parameters
+        self.least, self.most = np.array([p.minimum for p in limits]), np.array([p.maximum for p in limits])
         self._lock()
+        self.take_pose()
 
     def _take(self, obj, armature):
         shapes, keys = shapes_of(obj, self.mesh)
         skin = Skin(obj, armature, self.mesh) if armature else None
         joints = {} if skin is None else {'joints': skin.joints, 'joint_of': skin.joint_of, 'weight_of': skin.weight_of}
-        self.character = Character.from_arrays(self.mesh.rest, self.mesh.triangles, shapes, **joints)
+        self.character = Character.from_arrays(self.mesh.lifted, self.mesh.triangles, shapes, **joints)
         self.parts = [(control, [i], free) for i, (control, free) in enumerate(keys)]
+        first = len(keys)
         for turn in skin.turns if skin else []:
-            first = sum(len(numbers) for _, numbers, _ in self.parts)
-            self.parts.append((turn, [first, first + 1, first + 2], True))
+            count = len(turn.rest())
+            self.parts.append((turn, list(range(first, first + count)), True))
+            first += count
 
     def _measure(self, obj, armature):
-        controls = [KeyControl(obj, k) for k in free_keys(obj)]
-        controls += properties_that_drive([obj.data.shape_keys, armature, armature.data if armature else None])
-        if armature is not None:
-            controls += [measure.BoneAngle(BoneTurn(armature, b), axis) for b in measure.bones_to_measure(obj, armature)
-                         for axis in range(3) if not b.lock_rotation[axis]]
+        controls = measure.controls_of(obj, armature, free_keys(obj))
         base, shapes, self.took_s = measure.measured(obj, self.mesh.space, controls)
+        self.shown = measure.evaluated(obj, len(base))
         self.character = Character.from_arrays(base, self.mesh.triangles, shapes)
         self.parts = [(control, [i], True) for i, control in enumerate(controls)]
+
+    def holds(self, obj):
+        """Whether what was measured, or the ranges that were taken, are those of what Blender has now."""
+        if self.measured:
+            bpy.context.view_layer.update()
+            shown = measure.evaluated(obj, len(self.mesh.rest))
+            return shown is None and self.shown is None or \
+                shown is not None and self.shown is not None and np.array_equal(shown, self.shown)
+        values = self.pose() - self.offsets
+        return bool((values >= self.least - TINY).all() and (values <= self.most + TINY).all())
 
     def _lock(self):
         names = [p.name for p in self.character.parameters]
@@ -285,34 +332,65 @@ class Rig:
                 if locked:
                     self.character.lock(names[number])
 
+    def answers_otherwise(self):
+        """Whether Blender may show another pose than the one that is solved for, so that it is solved again from there."""
+        return bool(self.measured) or any(getattr(control, 'is_held', bool)() for control, _, _ in self.parts)
+
+    def become_file(self):
+        """Makes the character what its own file holds, to the bit, for a file rounds joints and weights. The file, .glb."""
+        data = b''
+        for _ in range(4):
+            before, data = data, self.character.write('.glb')
+            if data == before:
+                break
+            self.character = Character.read(data, 'model.glb')
+            self._lock()
+        return data
+
     def pose(self):
-        """What Blender has now, one value a parameter."""
-        out = []
-        for control, numbers, _ in self.parts:
-            out += [control.get()] if len(numbers) == 1 else control.get()
-        return np.array(out)
+        """What Blender has now, one value a parameter: of keys and properties their values, of bones angles."""
+        return np.array([value for control, _, _ in self.parts for value in _listed(control.get())])
 
     def take_pose(self):
         """Tells the character what Blender has, where that differs."""
-        now = self.pose()
+        now = self.pose() - self.offsets
         if np.abs(now - self.character.pose).max(initial=0.0) > TINY:
-            self.character.pose = now
+            self.character.pose = np.clip(now, self.least, self.most)
 
-    def apply(self, values):
-        """Sets Blender's controls; those that the values leave alone are not touched. The controls that moved."""
+    def apply(self, values, since=None):
+        """Sets Blender's controls to a pose of the character; those that it leaves alone are not touched. `since`: a pose that they
+        were set to; only what differs is looked at. The controls that moved."""
         moved = []
+        changed = None if since is None else np.abs(values - since) > TINY
         for control, numbers, free in self.parts:
-            if not free:
+            if not free or changed is not None and not changed[numbers].any():
                 continue
-            new = [float(values[n]) for n in numbers]
-            old = [control.get()] if len(numbers) == 1 else control.get()
-            if max(abs(a - b) for a, b in zip(new, old)) <= TINY:
+            new = [float(values[n] + self.offsets[n]) for n in numbers]
+            if max(abs(a - b) for a, b in zip(new, _listed(control.get()))) <= TINY:
                 continue
             control.set(new[0] if len(numbers) == 1 else new)
             moved.append(control)
         return moved
 
+    def kept(self):
+        """What give_back() brings back to the bit."""
+        return [(control, control.kept()) for control, _, free in self.parts if free]
+
     def moved_from(self, pose):
         """The controls that differ from an earlier pose()."""
         now = self.pose()
         return [control for control, numbers, _ in self.parts if np.abs(now[numbers] - pose[numbers]).max() > TINY]
+
+
+def _listed(value):
+    return value if isinstance(value, list) else [value]
+
+
+def give_back(kept):
+    """Brings back what Rig.kept() had of what is still there."""
+    for control, value in kept:
+        try:
+            if control.kept() != value:
+                control.give_back(value)
+        except (Refused, ReferenceError, KeyError, AttributeError):
+            continue

@@ -7,29 +7,35 @@ from bpy.props import EnumProperty, StringProperty
 from . import drawing, overlay
 from .controls import Refused
 from .library import Character, Error
-from .pen import mesh_of
+from .pen import begin, ended, mesh_of, redraw, region_below, running, why_not
 from .rig import Mesh, check
-from .space import seen_by
+from .space import Space, seen_by
 
 STEPS = ('general', 'specific', 'reference', 'target')
 SAID = {'general': 'Draw around all that may move', 'specific': 'Draw around what moves as a whole',
         'reference': 'Draw along the feature', 'target': 'Draw where the feature is at value 1'}
-MODES = [('AUTO', 'Auto', 'Slides or turns: what distorts the surface less'), ('TRANSLATE', 'Slide', 'Moves along'), ('ROTATE', 'Turn', 'Turns')]
+MODES = [('AUTO', 'Auto', 'Slides or turns: what distorts the surface less'), ('TRANSLATE', 'Slide', 'Moves along'),
+         ('ROTATE', 'Turn', 'Turns')]
 AT_REST = 1e-5  # of the mesh's size
 
 
 class Line:
     """A stroke of the sketch as the overlay shows it."""
-    kind = 'reference'
 
-    def __init__(self, seen):
-        self.seen, self.px = seen, []
+    def __init__(self, seen, kind):
+        self.seen, self.kind, self.px = seen, kind, []
 
     def add(self, place):
         self.px.append(self.seen.px([place])[0])
 
     def places(self):
         return self.seen.places(self.px)
+
+
+def seen_of(region, rv3d, obj):
+    """How a region shows an object that need not be a rig yet."""
+    around = obj.matrix_world @ (sum((drawing.corner(c) for c in obj.bound_box), drawing.corner((0, 0, 0))) / 8)
+    return seen_by(rv3d.view_matrix, rv3d.window_matrix, region.width, region.height, Space(obj.matrix_world), around)
 
 
 def shown_at_rest(obj):
@@ -61,6 +67,7 @@ def make_key(obj, lines, views, name='', mode='AUTO'):
     obj.data.shape_keys.reference_key.data.foreach_get('co', out)
     key.data.foreach_set('co', (out.reshape(-1, 3) + moved).astype(np.float32).ravel())
     key.slider_min, key.slider_max = 0, 1
+    obj.active_shape_key_index = len(obj.data.shape_keys.key_blocks) - 1
     obj.data.update()
     drawing.forget(obj.name)
     return key
@@ -77,7 +84,10 @@ class PENPOSE_OT_rig(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return context.area is not None and context.area.type == 'VIEW_3D' and mesh_of(context) is not None
+        problem = why_not(context) if context.area is not None and context.area.type == 'VIEW_3D' else 'Keys are drawn in a 3D Viewport'
+        if problem:
+            cls.poll_message_set(problem)
+        return not problem
 
     def invoke(self, context, event):
         obj = mesh_of(context)
@@ -88,7 +98,8 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         except Refused as problem:
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
-        self.object, self.lines, self.views, self.line = obj.name, {}, {}, None
+        self.object, self.lines, self.line, self.region = obj.name, {}, None, None
+        begin(self)
         context.window_manager.modal_handler_add(self)
         self._say(context)
         return {'RUNNING_MODAL'}
@@ -97,66 +108,82 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         return STEPS[len(self.lines)]
 
     def _say(self, context):
-        context.workspace.status_text_set('%d of 4: %s. Esc: give up%s' % (
-            len(self.lines) + 1, SAID[self._step()], '; Return: let it be found' if self._step() == 'reference' else ''))
+        more = {'general': '', 'reference': '; Return: let it be found'}.get(self._step(), '; Backspace: the last stroke again')
+        context.workspace.status_text_set('%d of 4: %s. Esc: give up%s' % (len(self.lines) + 1, SAID[self._step()], more))
+
+    def _show(self):
+        """The stroke that is being drawn and those before it, as far as they were drawn in this view."""
+        view = seen_of(self.region, self.region.data, bpy.data.objects[self.object]).view
+        overlay.show_stroke(self.line, self.region, [line for line in self.lines.values() if line is not None and line.seen.view == view])
+        redraw()
 
     def modal(self, context, event):
+        if not running(self):
+            return {'CANCELLED'}
         obj = bpy.data.objects.get(self.object)
-        if obj is None or mesh_of(context) != obj or context.area is None:
-            return self._leave(context, {'CANCELLED'})
-        if event.type == 'ESC' and event.value == 'PRESS':
-            return self._leave(context, {'CANCELLED'})
-        if self.line is None:
-            return self._between(context, event, obj)
+        try:
+            if obj is None or context.area is None or mesh_of(context) != obj or obj.mode not in ('OBJECT', 'POSE'):
+                self.report({'WARNING'}, 'the object or its mode changed; the new key is given up')
+            elif event.type != 'ESC' or event.value != 'PRESS':
+                return self._between(context, event, obj) if self.line is None else self._drawing(context, event, obj)
+        except (ReferenceError, KeyError, AttributeError):
+            self.report({'WARNING'}, 'what was drawn on is gone; the new key is given up')
+        self.leave()
+        return {'CANCELLED'}
+
+    def _drawing(self, context, event, obj):
         if event.type in {'MOUSEMOVE', 'INBETWEEN_MOUSEMOVE'}:
-            self.line.add((event.mouse_x - self.region.x, event.mouse_y - self.region.y))
-            context.area.tag_redraw()
+            self.line.add((event.mouse_x - self.corner[0], event.mouse_y - self.corner[1]))
+            redraw()
         elif event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
-            if len(self.line.px) > 2:
-                self.lines[self._step()], self.views[self._step()] = np.array(self.line.px), self.line.seen.view
-            self.line = None
-            overlay.show_stroke(None)
-            return self._next(context, obj)
+            line, self.line = self.line, None
+            if len(line.px) > 2:
+                self.lines[line.kind] = line
+                return self._next(context, obj)
         return {'RUNNING_MODAL'}
 
     def _between(self, context, event, obj):
+        region = region_below(context, event)
+        if region is None:
+            return {'PASS_THROUGH'}
         if event.type == 'LEFTMOUSE' and event.value == 'PRESS' and not event.alt:
-            region = next((r for r in context.area.regions if r.type == 'WINDOW'
-                           and 0 <= event.mouse_x - r.x < r.width and 0 <= event.mouse_y - r.y < r.height), None)
-            if region is None:
-                return {'PASS_THROUGH'}
-            self.region = region
-            rv3d = context.space_data.region_3d
-            around = obj.matrix_world @ (sum((drawing.corner(c) for c in obj.bound_box), drawing.corner((0, 0, 0))) / 8)
-            self.line = Line(seen_by(rv3d.view_matrix, rv3d.window_matrix, region.width, region.height, Mesh(obj).space, around))
+            self.region, self.corner = region, (region.x, region.y)
+            self.line = Line(seen_of(region, region.data, obj), self._step())
             self.line.add((event.mouse_x - region.x, event.mouse_y - region.y))
-            overlay.show_stroke(self.line)
+            self._show()
             return {'RUNNING_MODAL'}
         if event.type in {'RET', 'NUMPAD_ENTER'} and event.value == 'PRESS' and self._step() == 'reference':
-            self.lines['reference'], self.views['reference'] = None, None
+            self.lines['reference'] = None
+            return self._next(context, obj)
+        if event.type == 'BACK_SPACE' and event.value == 'PRESS' and self.lines:
+            self.lines.popitem()
             return self._next(context, obj)
         return {'PASS_THROUGH'}
 
     def _next(self, context, obj):
-        context.area.tag_redraw()
         if len(self.lines) < len(STEPS):
             self._say(context)
+            self._show()
             return {'RUNNING_MODAL'}
+        drawn = {step: line for step, line in self.lines.items() if line is not None}
+        lines = {step: np.array(line.px) for step, line in drawn.items()}
+        views = {step: drawn[step].seen.view if step in drawn else None for step in STEPS}
+        self.leave()
         try:
-            key = make_key(obj, self.lines, self.views, self.name, self.mode)
+            key = make_key(obj, lines, views, self.name, self.mode)
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
-            return self._leave(context, {'CANCELLED'})
+            return {'CANCELLED'}
         self.report({'INFO'}, 'the new shape key is %s' % key.name)
-        return self._leave(context, {'FINISHED'})
+        return {'FINISHED'}
 
     def cancel(self, context):
-        self._leave(context, None)
+        self.leave()
 
-    def _leave(self, context, result):
-        overlay.show_stroke(None)
-        context.workspace.status_text_set(None)
-        return result
+    def leave(self):
+        """Gives up what was drawn."""
+        self.line, self.lines = None, {}
+        ended(self)
 
 
 CLASSES = (PENPOSE_OT_rig,)

@@ -5,27 +5,60 @@ are at rest, and of a reference that has its target "target": {"view": ..., "px"
 """
 import json
 
+import bpy
 import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
+
+from .library import View
 
 PROPERTY = 'penpose'
 FORMAT = 1
 NEAR = 0.02  # of the mesh's size: farther from the new surface a curve is retired
 
 
-def read(obj):
-    """The curves of an object and the topology they lie on."""
+def _checked(kept):
+    """Curves as they were read. Raises ValueError where they are not as they are written."""
+    kinds = [('curves', list), ('topology', str), ('next', int)]
+    if kept['format'] != FORMAT or not all(isinstance(kept[name], kind) for name, kind in kinds):
+        raise ValueError('another format')
+    for curve in kept['curves']:
+        points, rest = np.array(curve['points'], dtype=float), np.array(curve['rest'], dtype=float)
+        if not isinstance(curve['id'], int) or curve['role'] not in ('reference', 'constraint'):
+            raise ValueError('a curve without its role')
+        if points.ndim != 2 or points.shape[1] != 4 or rest.shape != (len(points), 3) or points[:, 0].min() < 0:
+            raise ValueError('a curve without its points')
+        target = curve.get('target')
+        if target is None:
+            continue
+        px = np.array(target['px'], dtype=float)
+        if px.ndim != 2 or px.shape[1] != 2 or len(target['pressure']) not in (0, len(px)) or not np.isfinite(px).all():
+            raise ValueError('a target without its line')
+        View(**target['view'])
+    return kept
+
+
+def _read(obj):
+    """The curves of an object, and why they cannot be read: a pair, with one of them None."""
     text = obj.get(PROPERTY)
-    if not isinstance(text, str):
-        return {'format': FORMAT, 'topology': '', 'next': 1, 'curves': []}
+    if text is None:
+        return {'format': FORMAT, 'topology': '', 'next': 1, 'curves': []}, None
     try:
-        kept = json.loads(text)
-        if kept['format'] != FORMAT or not isinstance(kept['curves'], list):
-            raise ValueError('another format')
-        return kept
-    except (ValueError, KeyError, TypeError):
-        return {'format': FORMAT, 'topology': '', 'next': 1, 'curves': []}
+        return _checked(json.loads(text)), None
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError) as problem:
+        return None, '%s: %s' % (type(problem).__name__, problem)
+
+
+def read(obj):
+    """The curves of an object and the topology they lie on; none where they cannot be read (problem() says why)."""
+    return _read(obj)[0] or {'format': FORMAT, 'topology': '', 'next': 1, 'curves': []}
+
+
+def problem(obj):
+    """Why the curves that an object keeps cannot be read, with the remedy; an empty text where they can."""
+    why = _read(obj)[1]
+    return '' if why is None else 'the curves kept on %s are damaged (%s); mend its custom property "%s", or delete all of its curves' % (
+        obj.name, why, PROPERTY)
 
 
 def write(obj, kept):
@@ -34,6 +67,36 @@ def write(obj, kept):
         obj[PROPERTY] = json.dumps(kept, separators=(',', ':'))
     elif PROPERTY in obj:
         del obj[PROPERTY]
+    _keep_beside(obj)
+
+
+def _keep_beside(obj):
+    """Blender does not save a property that is new on a library override: the scene keeps a copy."""
+    if obj.override_library is None:
+        return
+    beside = PROPERTY + ' ' + obj.name
+    if PROPERTY in obj:
+        bpy.context.scene[beside] = obj[PROPERTY]
+    elif beside in bpy.context.scene:
+        del bpy.context.scene[beside]
+
+
+def bring_back():
+    """Gives library overrides, as a file is opened, the curves that scenes keep for them."""
+    for scene in bpy.data.scenes:
+        for name in [n for n in scene.keys() if n.startswith(PROPERTY + ' ')]:
+            for obj in scene.objects:  # the linked one may have the same name
+                if PROPERTY + ' ' + obj.name == name and obj.override_library is not None and PROPERTY not in obj:
+                    obj[PROPERTY] = scene[name]
+
+
+def put_back(obj, text):
+    """What get(PROPERTY) gave earlier."""
+    if text is not None:
+        obj[PROPERTY] = text
+    elif PROPERTY in obj:
+        del obj[PROPERTY]
+    _keep_beside(obj)
 
 
 def find(kept, number):
@@ -50,7 +113,8 @@ def places_of(curve, triangles, positions):
 
 def found_again(kept, mesh):
     """Moves curves to a mesh whose topology changed; the ids of those that lie on it no more, which are taken out."""
-    if kept['topology'] == mesh.topology or not kept['curves']:
+    last = max((point[0] for curve in kept['curves'] for point in curve['points']), default=-1)
+    if kept['topology'] == mesh.topology and last < len(mesh.triangles) or not kept['curves']:
         kept['topology'] = mesh.topology
         return []
     tree = BVHTree.FromPolygons([Vector(p) for p in mesh.rest], [tuple(t) for t in mesh.triangles.tolist()])

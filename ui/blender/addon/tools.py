@@ -1,0 +1,55 @@
+"""The pen as a tool of Blender's toolbar, in Object and in Pose mode."""
+import bpy
+
+
+def _settings(context, layout, tool):
+    layout.prop(context.window_manager.penpose, 'kind', text='Next', expand=False)
+
+
+class PenposeTool(bpy.types.WorkSpaceTool):
+    bl_space_type = 'VIEW_3D'
+    bl_context_mode = 'OBJECT'
+    bl_idname = 'penpose.pen'
+    bl_label = 'Penpose'
+    bl_description = 'Pose by drawing: where the feature is, then where it should be'
+    bl_icon = 'ops.curve.draw'
+    bl_keymap = (('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS'}, {'properties': [('kind', 'AUTO')]}),
+                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'shift': True}, {'properties': [('kind', 'constraint')]}),
+                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'ctrl': True}, {'properties': [('kind', 'reference')]}))
+    draw_settings = staticmethod(_settings)
+
+
+class PenposePoseTool(bpy.types.WorkSpaceTool):
+    bl_space_type = PenposeTool.bl_space_type
+    bl_context_mode = 'POSE'
+    bl_idname = 'penpose.pen_in_pose'
+    bl_label = PenposeTool.bl_label
+    bl_description = PenposeTool.bl_description
+    bl_icon = PenposeTool.bl_icon
+    bl_keymap = PenposeTool.bl_keymap
+    draw_settings = staticmethod(_settings)
+
+
+TOOLS = (PenposeTool, PenposePoseTool)
+
+
+def register():
+    for tool in TOOLS:
+        bpy.utils.register_tool(tool, after={'builtin.measure'}, separator=True)
+
+
+def put_down():
+    """Whoever holds the pen has Blender's first tool in hand: one that is gone is warned of at each event."""
+    for window in bpy.context.window_manager.windows:
+        area = next((a for a in window.screen.areas if a.type == 'VIEW_3D'), None)
+        for tool in TOOLS if area is not None else ():
+            held = window.workspace.tools.from_space_view3d_mode(tool.bl_context_mode, create=False)
+            if held is not None and held.idname == tool.bl_idname:
+                with bpy.context.temp_override(window=window, area=area):
+                    bpy.ops.wm.tool_set_by_id(name='builtin.select_box')
+
+
+def unregister():
+    put_down()
+    for tool in reversed(TOOLS):
+        bpy.utils.unregister_tool(tool)
