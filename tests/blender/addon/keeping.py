@@ -12,8 +12,9 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Quaternion  # noqa: E402
-from penpose import drawing, grease, keys, store  # noqa: E402
+from penpose import drawing, grease, keys, recording, store  # noqa: E402
 from penpose.controls import Refused  # noqa: E402
+from penpose.library import Character, play  # noqa: E402
 
 
 class Keeping(unittest.TestCase):
@@ -45,6 +46,26 @@ class Keeping(unittest.TestCase):
         obj, armature = bpy.data.objects['Plate'], bpy.data.objects['Rig']
         return ({k.name: k.value for k in obj.data.shape_keys.key_blocks},
                 {b.name: tuple(b.rotation_quaternion) for b in armature.pose.bones}, obj.get(store.PROPERTY))
+
+    def test_a_record_goes_on_after_undo(self):
+        if not bpy.ops.ed.undo_push.poll():
+            self.skipTest('undo wants a window')
+        session = os.path.join(desk.SCRATCH, 'undone.session')
+        bpy.ops.ed.undo_push(message='made')
+        recording.begin(self.obj, session)
+        desk.draw(self.obj, 'reference', self.shown, self.begin)
+        bpy.ops.ed.undo_push(message='reference')
+        desk.draw(self.obj, 'target', self.shown, self.finish)
+        bpy.ops.ed.undo_push(message='target')
+        bpy.ops.ed.undo()
+        obj = bpy.data.objects['Plate']
+        desk.draw(obj, 'target', self.shown, self.begin + 0.5 * (self.finish - self.begin))
+        recording.note(obj)
+        self.assertEqual(recording.end(obj), session)
+        with open(session, 'rb') as recorded, open(session.replace('.session', '.glb'), 'rb') as model:
+            _, played = play(recorded.read(), Character.read(model.read(), 'undone.glb'))
+        self.assertGreater(played.steps, 3)
+        self.assertEqual(played.state, drawing.known(obj).rig.character.state)
 
     def test_undo_and_redo(self):
         if not bpy.ops.ed.undo_push.poll():

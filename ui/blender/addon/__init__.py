@@ -24,13 +24,22 @@ def _stop(*_):
 
 
 @persistent
+def _in_step(*_):
+    """After undo and redo curves are those of that moment; a record goes on."""
+    drawing.in_step()
+    bpy.context.window_manager.penpose.curve = 0
+
+
+@persistent
 def _forget(*_):
-    """After them nothing that was known need be so."""
+    """In another file nothing that was known is so."""
+    recording.end_all()
     drawing.forget()
     bpy.context.window_manager.penpose.curve = 0
 
 
-_HANDLERS = [(when + '_pre', _stop) for when in ('undo', 'redo', 'load')] + [(when + '_post', _forget) for when in ('undo', 'redo', 'load')]
+_HANDLERS = [('undo_pre', _stop), ('redo_pre', _stop), ('load_pre', _stop), ('undo_post', _in_step), ('redo_post', _in_step),
+             ('load_post', _forget)]
 
 
 def register():

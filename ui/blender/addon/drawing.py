@@ -88,12 +88,19 @@ def _signature(obj):
 
 
 def forget(name=None):
-    """Forgets what is known of an object, or of all (after undo and as a file is opened): it is read again at the next stroke."""
+    """Forgets what is known of an object, or of all (as a file is opened): it is read again at the next stroke."""
     if name is None:
         _rigs.clear()
         store.bring_back()
     else:
         _rigs.pop(name, None)
+
+
+def in_step():
+    """After undo: characters stay, and take the curves and the pose of that moment at the next stroke."""
+    store.bring_back()
+    for one in _rigs.values():
+        one.kept = ''
 
 
 def known(obj, wholly=False):

@@ -54,6 +54,11 @@ def end(obj):
     return _records.pop(obj.name, None)
 
 
+def end_all():
+    """Records nothing more."""
+    _records.clear()
+
+
 class PENPOSE_OT_record(bpy.types.Operator, ExportHelper):
     """Record what is drawn on the object as a session that penpose replays; the model is written beside it"""
     bl_idname = 'penpose.record'
