@@ -12,8 +12,8 @@ import numpy as np  # noqa: E402
 import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
-from penpose import drawing, recording  # noqa: E402
-from penpose.library import Character  # noqa: E402
+from penpose import drawing, placing, recording  # noqa: E402
+from penpose.library import Character, Role  # noqa: E402
 
 SAME, SHOWN = 1e-6, 1e-5
 worst = {'pose': 0.0, 'shown': 0.0}
@@ -145,6 +145,26 @@ class Posing(unittest.TestCase):
         self.draw_cases(obj, cases_of('ict_avatar_intent_cases.json')[:6])
         arm = next(o for o in bpy.data.objects if o.type == 'MESH' and o != obj and o.find_armature() and len(o.data.vertices) > 500)
         self.shows_it(arm)
+
+    def test_known_places(self):
+        path = trial.model('ict_face.glb')
+        off = {}
+        for case in cases_of('ict_face_pose_cases.json'):
+            obj = desk.opened(path)
+            twin = Character.read(drawing.known(obj).rig.character.write('.glb'), 'twin.glb')
+            for one in case['references']:
+                placing.place_target(obj, placing.place_curve(obj, one['vertices']), one['target'])
+                twin.target(twin.curve_at(one['vertices']), one['target'])
+            for one in case['constraints']:
+                placing.place_curve(obj, one['vertices'], 'constraint')
+                twin.curve_at(one['vertices'], Role.CONSTRAINT)
+            self.assertTrue(placing.solve(obj), case['name'])
+            twin.solve()
+            self.shows_it(obj)
+            keys = obj.data.shape_keys.key_blocks
+            off[case['name']] = max(abs(keys[name].value - value) for name, value in twin.values().items())
+        worst['pose'] = max(worst['pose'], *off.values())
+        self.assertLess(max(off.values()), SAME, off)
 
     def test_session(self):
         if not trial.PROGRAM:

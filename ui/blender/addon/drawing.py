@@ -143,7 +143,10 @@ def _bring_curves(one, obj):
         target = curve.get('target')
         if target:
             try:
-                rig.character.draw_target(number, View(**target['view']), target['px'], target['pressure'] or None)
+                if 'points' in target:
+                    rig.character.target(number, target['points'])
+                else:
+                    rig.character.draw_target(number, View(**target['view']), target['px'], target['pressure'] or None)
             except Error as problem:
                 one.said.append('curve %d: %s' % (curve['id'], problem))
     one.kept = obj.get(store.PROPERTY, '')
@@ -158,6 +161,22 @@ def become_its_file(obj):
     one.rig.become_file()
     _bring_curves(one, obj)
     return one.rig.character.write('.glb')
+
+
+def keep_curve(one, obj, number, role):
+    """Keeps a curve of the character on the object. Its id there."""
+    kept = store.read(obj)
+    kept['topology'] = one.rig.mesh.topology
+    triangles, shares = one.rig.character.points(number)
+    points = [[int(t), *map(float, s)] for t, s in zip(triangles, shares)]
+    curve = {'id': kept['next'], 'role': role, 'points': points}
+    curve['rest'] = store.places_of(curve, one.rig.mesh.triangles, one.rig.mesh.rest).tolist()
+    kept['next'] += 1
+    kept['curves'].append(curve)
+    store.write(obj, kept)
+    one.numbers[curve['id']] = number
+    one.kept = obj.get(store.PROPERTY, '')
+    return curve['id']
 
 
 class Stroke:
@@ -228,10 +247,8 @@ class Stroke:
         self.rig.take_pose()
         px = np.array(self.px)
         pressure = None if all(p == 1.0 for p in self.pressure) else np.array(self.pressure)
-        kept = store.read(obj)
-        kept['topology'] = self.rig.mesh.topology
         if self.kind != 'target':
-            self._keep_curve(obj, kept, px)
+            self._keep_curve(obj, px)
             return []
         try:
             self._settle(obj, px, pressure)
@@ -241,6 +258,7 @@ class Stroke:
         except Refused:
             self.cancel(obj)
             raise
+        kept = store.read(obj)
         target = {'view': vars(self.seen.view), 'px': px.tolist(), 'pressure': [] if pressure is None else pressure.tolist()}
         store.find(kept, self.curve)['target'] = target
         store.write(obj, kept)
@@ -249,21 +267,13 @@ class Stroke:
         keys.key(moved)
         return moved
 
-    def _keep_curve(self, obj, kept, px):
+    def _keep_curve(self, obj, px):
         role = Role.CONSTRAINT if self.kind == 'constraint' else Role.REFERENCE
         try:
             number = self.rig.character.draw(self.seen.view, px, role)
         except Error as problem:
             raise Refused('the %s on %s: %s' % (self.kind, obj.name, problem)) from None
-        triangles, shares = self.rig.character.points(number)
-        points = [[int(t), *map(float, s)] for t, s in zip(triangles, shares)]
-        curve = {'id': kept['next'], 'role': self.kind, 'points': points}
-        curve['rest'] = store.places_of(curve, self.rig.mesh.triangles, self.rig.mesh.rest).tolist()
-        kept['next'] += 1
-        kept['curves'].append(curve)
-        store.write(obj, kept)
-        self.known.numbers[curve['id']] = number
-        self.known.kept = obj.get(store.PROPERTY, '')
+        keep_curve(self.known, obj, number, self.kind)
 
     def _settle(self, obj, px, pressure):
         self.rig.character.draw_target(self.known.numbers[self.curve], self.seen.view, px, pressure)
@@ -278,13 +288,13 @@ class Stroke:
                 break
 
 
-def solve_again(obj):
+def solve_again(obj, preset=Preset.DEFAULT):
     """Brings all curves to their targets from the pose as it is. The controls that moved."""
     one = known(obj, wholly=True)
     before = one.rig.pose()
     one.rig.take_pose()
     for _ in range(ROUNDS if one.rig.answers_otherwise() else 1):
-        one.rig.character.solve(Preset.DEFAULT)
+        one.rig.character.solve(preset)
         if not one.rig.apply(one.rig.character.pose):
             break
         one = known(obj)
@@ -336,6 +346,8 @@ def shown_positions(obj, depsgraph):
 def target_places(obj, curve):
     """Where a target was drawn, in the world, as deep as the middle of its reference at rest (n, 3)."""
     target, space = curve['target'], Space(obj.matrix_world)
+    if 'points' in target:
+        return space.to_world(target['points'])
     view = View(**target['view'])
     eye, look = np.array(view.eye), np.array(view.look_at)
     forward = (look - eye) / np.linalg.norm(look - eye)

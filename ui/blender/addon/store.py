@@ -1,7 +1,8 @@
 """The curves of an object, kept on it: in a custom property, so that saving, undo, copying and appending keep them.
 
 A curve is {"id", "role": "reference" or "constraint", "points": [[triangle, a, b, c], ...] on the mesh's triangles, "rest": where those
-are at rest, and of a reference that has its target "target": {"view": ..., "px": [[x, y], ...], "pressure": [...]}}.
+are at rest, and of a reference that has its target "target": {"view": ..., "px": [[x, y], ...], "pressure": [...]},
+drawn, or {"points": [[x, y, z], ...]}, placed.
 """
 import json
 
@@ -30,6 +31,10 @@ def _checked(kept):
             raise ValueError('a curve without its points')
         target = curve.get('target')
         if target is None:
+            continue
+        if 'points' in target:
+            if np.array(target['points'], dtype=float).shape != rest.shape:
+                raise ValueError('a target without its points')
             continue
         px = np.array(target['px'], dtype=float)
         if px.ndim != 2 or px.shape[1] != 2 or len(target['pressure']) not in (0, len(px)) or not np.isfinite(px).all():
