@@ -72,6 +72,13 @@ def shown_positions(obj):
     return space.Space(obj.matrix_world).of_object(drawing.shown_positions(obj, depsgraph))
 
 
+def of_file(obj, points):
+    """Places (n, 3) of a glTF file in the character's space of an object that came from it."""
+    from penpose import space
+    placed = space.Space(obj.matrix_world)
+    return numpy.array([tuple(placed.of_world(Vector((x, -z, y)))) for x, y, z in points])
+
+
 def size_of(points):
     """The diagonal of their box."""
     return float(numpy.linalg.norm(points.max(axis=0) - points.min(axis=0)))
