@@ -96,7 +96,7 @@ class BadInput(unittest.TestCase):
     def test_no_faces_and_no_rig(self):
         keep = self.obj
         self.obj = made.plate('Plate bare')
-        self.refused('nothing to pose: no shape key and no bone.*Rig tool')
+        self.refused('nothing to pose: no shape key and no bone.*New Key by Drawing')
         self.obj.data.clear_geometry()
         self.refused('has no faces')
         self.obj = keep

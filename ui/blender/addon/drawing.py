@@ -191,6 +191,7 @@ class Stroke:
         self.before, self.kept = self.rig.pose(), self.rig.kept()
         self.px, self.pressure = [], []
         self.live, self.followed = None, None  # the pose that was set last
+        self.keyed = 0  # channels
         if kind == 'target':
             self.curve = self._curve(obj, of)
             self.live = self.rig.character.live(self.known.numbers[self.curve], seen.view)
@@ -264,7 +265,7 @@ class Stroke:
         store.write(obj, kept)
         self.known.kept = obj.get(store.PROPERTY, '')
         moved = self.rig.moved_from(self.before)
-        keys.key(moved)
+        self.keyed = keys.key(moved)
         return moved
 
     def _keep_curve(self, obj, px):

@@ -5,7 +5,7 @@ from mathutils import Vector
 from . import drawing, versions
 from .controls import Refused
 from .library import Error
-from .pen import mesh_of, seen_in
+from .pen import mesh_of, seen_in, tell_moved
 
 
 def pencil_of(context):
@@ -80,7 +80,7 @@ class PENPOSE_OT_grease_pencil(bpy.types.Operator):
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
-        self.report({'INFO'}, '%d controls moved' % len(moved))
+        tell_moved(self, obj, moved)
         return {'FINISHED'}
 
 

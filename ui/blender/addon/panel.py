@@ -13,7 +13,7 @@ TOOLS = {'OBJECT': 'penpose.pen', 'POSE': 'penpose.pen_in_pose'}
 def _lines(layout, context, text, icon):
     """A text of more than a line, as wide as the sidebar."""
     column = layout.column(align=True)
-    letters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
+    letters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 9)
     for i, line in enumerate(textwrap.wrap(text, letters)):
         column.label(text=line, icon=icon if i == 0 else 'BLANK1')
 
@@ -45,7 +45,7 @@ class PENPOSE_PT_panel(_InSidebar, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.3
         row.operator('wm.tool_set_by_id', text='Pen', icon='GREASEPENCIL', depress=active).name = name
-        layout.prop(pen, 'kind', text='')
+        layout.prop(pen, 'kind', text='Next')
         kind, curve = next_stroke(obj)
         said = {'reference': 'A reference, on the mesh', 'constraint': 'A constraint, on the mesh',
                 'target': 'Target of Reference %s' % curve if curve else 'Draw a reference first'}[kind]
@@ -72,7 +72,7 @@ class PENPOSE_PT_curves(_InSidebar, bpy.types.Panel):
             text = '%s %d' % (curve['role'].capitalize(), curve['id'])
             if curve['role'] == 'reference':
                 icon = 'RADIOBUT_ON' if curve['id'] == chosen else ICONS['reference']
-                row.operator('penpose.choose', text=text + (' \u2192' if 'target' in curve else ''), icon=icon,
+                row.operator('penpose.choose', text=text + (', with target' if 'target' in curve else ''), icon=icon,
                              depress=curve['id'] == chosen).curve = curve['id']
             else:
                 off = curve.get('off', False)
@@ -87,7 +87,7 @@ class PENPOSE_PT_curves(_InSidebar, bpy.types.Panel):
         settings = context.scene.tool_settings
         row = layout.column(align=True)
         row.prop(settings, 'use_keyframe_insert_auto', text='Auto Keying', icon='REC', toggle=True)
-        row.prop_search(context.scene.keying_sets_all, 'active', context.scene, 'keying_sets_all', text='')
+        row.prop_search(context.scene.keying_sets_all, 'active', context.scene, 'keying_sets_all', text='Keys')
 
 
 class PENPOSE_PT_rig(_InSidebar, bpy.types.Panel):

@@ -219,7 +219,6 @@ class PENPOSE_OT_draw(bpy.types.Operator):
             self.leave()
             return {'CANCELLED'}
         elif event.type == self.button and event.value == 'RELEASE' or event.type == 'RET':
-            self._take(event)
             self._normals_back()
             moved = self.stroke.end(obj)
             context.window_manager.penpose.curve = 0
@@ -235,10 +234,8 @@ class PENPOSE_OT_draw(bpy.types.Operator):
             self.report({'WARNING'}, str(problem))
         for said in drawing.said(obj):
             self.report({'INFO'}, said)
-        if moved:
-            self.report({'INFO'}, 'Moved: ' + ', '.join(control_name(c) for c in moved[:8]) + (', ...' if len(moved) > 8 else ''))
-        elif self.kind_drawn == 'target':
-            self.report({'WARNING'}, 'nothing moved: no free control brings the reference nearer to that line')
+        if moved or self.kind_drawn == 'target':
+            tell_moved(self, obj, moved, self.stroke.keyed)
 
     def _normals_back(self):
         name, self.plain = self.plain, ''
@@ -265,6 +262,18 @@ def control_name(control):
     return getattr(control, 'name', None) or control.bone
 
 
+def tell_moved(operator, obj, moved, keyed=0):
+    """Says which controls moved, and why none did."""
+    if moved:
+        names = ', '.join(control_name(c) for c in moved[:8]) + (', ...' if len(moved) > 8 else '')
+        on = ' and keyed on frame %d' % bpy.context.scene.frame_current if keyed else ''
+        operator.report({'INFO'}, 'Moved%s: %s' % (on, names))
+        return
+    others = len([c for c in drawing.store.read(obj)['curves'] if c['role'] == 'constraint' or 'target' in c]) > 1
+    operator.report({'WARNING'}, 'nothing moved: the other curves hold it; delete those that are done, or draw them again' if others else
+                    'nothing moved: no free control brings the reference nearer to that line')
+
+
 def _has_curves(cls, context):
     obj = mesh_of(context)
     if obj is None or not obj.get(drawing.store.PROPERTY):
@@ -289,7 +298,7 @@ class PENPOSE_OT_solve(bpy.types.Operator):
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
-        self.report({'INFO'}, '%d controls moved' % len(moved))
+        tell_moved(self, mesh_of(context), moved)
         return {'FINISHED'}
 
 
@@ -307,6 +316,7 @@ class PENPOSE_OT_delete_curve(bpy.types.Operator):
 
     def execute(self, context):
         drawing.delete(mesh_of(context), self.curve or None)
+        redraw()
         return {'FINISHED'}
 
 

@@ -25,6 +25,8 @@ def begin(obj, path):
             obj.name, one.rig.measured))
     stem = os.path.splitext(path)[0]
     model = stem + '.glb'
+    if os.path.exists(model) and not os.path.exists(stem + '.session'):
+        raise Refused('%s is there already, and the model of the record would take its place; choose another name' % model)
     with open(model, 'wb') as f:
         f.write(drawing.become_its_file(obj))
     one.rig.character.record(os.path.basename(model))
@@ -66,6 +68,14 @@ class PENPOSE_OT_record(bpy.types.Operator, ExportHelper):
 
     filename_ext = '.session'
     filter_glob: StringProperty(default='*.session', options={'HIDDEN'})
+
+    @classmethod
+    def poll(cls, context):
+        from .pen import why_not
+        problem = why_not(context)
+        if problem:
+            cls.poll_message_set(problem)
+        return not problem
 
     def execute(self, context):
         from .pen import mesh_of

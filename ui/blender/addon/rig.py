@@ -288,7 +288,7 @@ class Rig:
             if keys is not None and keys.library is not None:
                 raise Refused('the shape keys of %s are linked, and nothing else moves it; make a library override of its mesh too' %
                               obj.name)
-            raise Refused('%s has nothing to pose: no shape key and no bone that moves it; the Rig tool makes a key' % obj.name)
+            raise Refused('%s has nothing to pose: no shape key and no bone that moves it; New Key by Drawing makes one' % obj.name)
         self.offsets = np.array([value for control, _, _ in self.parts for value in _listed(control.rest())])
         limits = self.character.parameters
         self.least, self.most = np.array([p.minimum for p in limits]), np.array([p.maximum for p in limits])

@@ -74,7 +74,7 @@ def make_key(obj, lines, views, name='', mode='AUTO'):
 
 
 class PENPOSE_OT_rig(bpy.types.Operator):
-    """Make a new shape key in four strokes. Views may be turned between them"""
+    """Make a new shape key in four strokes, on the mesh at rest. The view may be turned before the last"""
     bl_idname = 'penpose.rig'
     bl_label = 'New Key by Drawing'
     bl_options = {'REGISTER', 'UNDO'}
@@ -94,7 +94,8 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         try:
             check(obj)
             if not shown_at_rest(obj):
-                raise Refused('%s is posed; a new key is drawn on the mesh at rest: set its keys and bones to rest' % obj.name)
+                raise Refused('%s is posed, and a new key is drawn on the mesh at rest: clear its keys (Object Data, Clear Shape Keys) '
+                              'and set its armature to Rest Position' % obj.name)
         except Refused as problem:
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
@@ -108,7 +109,7 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         return STEPS[len(self.lines)]
 
     def _say(self, context):
-        more = {'general': '', 'reference': '; Return: let it be found'}.get(self._step(), '; Backspace: the last stroke again')
+        more = {'general': '', 'reference': '; Return: let it be found; Backspace: the last stroke again'}.get(self._step(), '; Backspace: the last stroke again')
         context.workspace.status_text_set('%d of 4: %s. Esc: give up%s' % (len(self.lines) + 1, SAID[self._step()], more))
 
     def _show(self):
@@ -137,7 +138,11 @@ class PENPOSE_OT_rig(bpy.types.Operator):
             redraw()
         elif event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
             line, self.line = self.line, None
-            if len(line.px) > 2:
+            first = self.lines.get('general')
+            if line.kind in ('specific', 'reference') and line.seen.view != first.seen.view:
+                self.report({'WARNING'}, 'the view was turned: the first three strokes are of one view (Backspace: the last one again)')
+                self._show()
+            elif len(line.px) > 2:
                 self.lines[line.kind] = line
                 return self._next(context, obj)
         return {'RUNNING_MODAL'}
@@ -174,7 +179,8 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
-        self.report({'INFO'}, 'the new shape key is %s' % key.name)
+        key.value = 1
+        self.report({'INFO'}, 'the new shape key is %s; it is shown at 1' % key.name)
         return {'FINISHED'}
 
     def cancel(self, context):
