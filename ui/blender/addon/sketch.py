@@ -140,7 +140,7 @@ class PENPOSE_OT_rig(bpy.types.Operator):
             line, self.line = self.line, None
             first = self.lines.get('general')
             if line.kind in ('specific', 'reference') and line.seen.view != first.seen.view:
-                self.report({'WARNING'}, 'the view was turned: the first three strokes are of one view (Backspace: the last one again)')
+                self.report({'WARNING'}, 'the view was turned: the first three strokes are of one view (Backspace: the last again)')
                 self._show()
             elif len(line.px) > 2:
                 self.lines[line.kind] = line
