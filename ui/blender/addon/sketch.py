@@ -109,7 +109,8 @@ class PENPOSE_OT_rig(bpy.types.Operator):
         return STEPS[len(self.lines)]
 
     def _say(self, context):
-        more = {'general': '', 'reference': '; Return: let it be found; Backspace: the last stroke again'}.get(self._step(), '; Backspace: the last stroke again')
+        again = '; Backspace: the last stroke again'
+        more = {'general': '', 'reference': '; Return: let it be found' + again}.get(self._step(), again)
         context.workspace.status_text_set('%d of 4: %s. Esc: give up%s' % (len(self.lines) + 1, SAID[self._step()], more))
 
     def _show(self):
