@@ -1,6 +1,8 @@
 """Rigs where drivers, constraints and modifiers act: what controls do is measured. ZIP"""
+import json
 import math
 import os
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -11,7 +13,7 @@ import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
-from penpose import drawing, rig  # noqa: E402
+from penpose import drawing, placing, rig  # noqa: E402
 
 
 class Measured(made.Trial):
@@ -52,6 +54,36 @@ class Measured(made.Trial):
                 drawn = made.Drawn(obj, line, made.shown_with(obj, change)[line])
                 self.good(drawn)
                 self.assertAlmostEqual(owner['lift'], 0.9, delta=0.05)
+
+    def test_a_rig_of_drivers_is_posed_as_by_the_command_line(self):
+        if not trial.PROGRAM:
+            self.skipTest('PENPOSE does not say where the program is')
+        obj = made.plate()
+        for name, way, middle in (('up', (0, 0, 0.4), 0.5), ('over', (0.3, 0, 0.1), -0.3)):
+            made.add_key(obj, name, way, middle=(0, middle))
+            obj[name + 's'] = 0.0
+            obj.update_tag()
+            bpy.context.view_layer.update()
+            obj.id_properties_ui(name + 's').update(min=0, max=1, soft_min=0, soft_max=1)
+            made.drive(obj.data.shape_keys, 'key_blocks["%s"].value' % name, obj, '["%ss"]' % name)
+        bpy.context.view_layer.update()
+        character = drawing.known(obj).rig.character
+        line, rest = made.row(obj), character.evaluate()
+        target = character.evaluate([0.6, 0.3])[line]
+        model, cases = os.path.join(desk.SCRATCH, 'driven.glb'), os.path.join(desk.SCRATCH, 'driven.json')
+        with open(model, 'wb') as f:
+            f.write(character.write('.glb'))
+        reference = {'curve': 'row', 'vertices': [int(v) for v in line], 'target': target.tolist()}
+        case = {'name': 'lift', 'references': [reference], 'constraints': []}
+        with open(cases, 'w', encoding='utf-8') as f:
+            json.dump({'mesh': 'driven.glb', 'cases': [case]}, f)
+        done = subprocess.run([trial.PROGRAM, 'pose', model, '--cases', cases, '--json'], capture_output=True, text=True, check=True)
+        placing.place_target(obj, placing.place_curve(obj, line), target)
+        self.assertTrue(placing.solve(obj))
+        answers = json.loads(done.stdout)['cases'][0]['parameters']
+        for name, value in answers.items():
+            self.assertAlmostEqual(obj[name], value, delta=1e-6, msg=answers)
+        self.assertGreater(np.abs(desk.shown_positions(obj) - rest).max(), 0.1)
 
     def test_whole_numbers_and_chains(self):
         obj = made.plate()

@@ -4,7 +4,7 @@ scripts may call: begin(), follow() for each part of a target, then end() or can
 import numpy as np
 from mathutils import Vector
 
-from . import keys, store
+from . import keys, measure, store
 from .controls import Refused
 from .library import Error, Preset, Role, View
 from .rig import Rig, armature_of, check, give_back
@@ -280,6 +280,8 @@ class Stroke:
         self.rig.character.draw_target(self.known.numbers[self.curve], self.seen.view, px, pressure)
         self.rig.apply(self.rig.character.pose)
         for _ in range(ROUNDS if self.rig.answers_otherwise() else 0):
+            if measure.shows(obj, self.rig):
+                break
             # What is measured holds near the pose it was measured at.
             known(obj)
             self.rig = self.known.rig
@@ -296,7 +298,7 @@ def solve_again(obj, preset=Preset.DEFAULT):
     one.rig.take_pose()
     for _ in range(ROUNDS if one.rig.answers_otherwise() else 1):
         one.rig.character.solve(preset)
-        if not one.rig.apply(one.rig.character.pose):
+        if not one.rig.apply(one.rig.character.pose) or measure.shows(obj, one.rig):
             break
         one = known(obj)
         one.rig.take_pose()

@@ -13,6 +13,7 @@ from .library import Shape
 
 STEP = 0.05  # of a control's range
 MOST_BONES = 120
+NEAR = 1e-6  # of the size: what Blender shows is what was computed
 # Modifiers that leave the vertices what they are; others are put aside while controls are measured.
 DEFORMING = ('ARMATURE', 'CAST', 'CORRECTIVE_SMOOTH', 'CURVE', 'DISPLACE', 'HOOK', 'LAPLACIANDEFORM', 'LATTICE', 'MESH_DEFORM',
              'SHRINKWRAP', 'SIMPLE_DEFORM', 'SMOOTH', 'LAPLACIANSMOOTH', 'SURFACE_DEFORM', 'WARP', 'WAVE')
@@ -58,6 +59,17 @@ def evaluated(obj, count):
     out = np.empty(3 * count, dtype=np.float32)
     mesh.vertices.foreach_get('co', out)
     return out.reshape(-1, 3).astype(np.float64)
+
+
+def shows(obj, rig):
+    """Whether Blender shows the vertices where the character has them at its pose: what was measured then holds there, too."""
+    bpy.context.view_layer.update()
+    wanted = rig.character.evaluate()
+    shown = evaluated(obj, len(wanted))
+    if shown is None:
+        return False
+    size = np.linalg.norm(wanted.max(axis=0) - wanted.min(axis=0))
+    return bool(np.abs(rig.mesh.space.of_object(shown) - wanted).max() <= NEAR * size)
 
 
 def measured(obj, space, controls):

@@ -274,23 +274,23 @@ def tell_moved(operator, obj, moved, keyed=0):
                     'nothing moved: no free control brings the reference nearer to that line')
 
 
-def _has_curves(cls, context):
-    obj = mesh_of(context)
-    if obj is None or not obj.get(drawing.store.PROPERTY):
-        cls.poll_message_set('No curve is drawn on the active object')
-        return False
-    return True
+class _WithCurves:
+    """Of an object that keeps curves."""
+
+    @classmethod
+    def poll(cls, context):
+        obj = mesh_of(context)
+        if obj is None or not obj.get(drawing.store.PROPERTY):
+            cls.poll_message_set('No curve is drawn on the active object')
+            return False
+        return True
 
 
-class PENPOSE_OT_solve(bpy.types.Operator):
+class PENPOSE_OT_solve(_WithCurves, bpy.types.Operator):
     """Bring all curves of the object to their targets again, from the pose as it is"""
     bl_idname = 'penpose.solve'
     bl_label = 'Solve Again'
     bl_options = {'REGISTER', 'UNDO'}
-
-    @classmethod
-    def poll(cls, context):
-        return _has_curves(cls, context)
 
     def execute(self, context):
         try:
@@ -302,7 +302,7 @@ class PENPOSE_OT_solve(bpy.types.Operator):
         return {'FINISHED'}
 
 
-class PENPOSE_OT_delete_curve(bpy.types.Operator):
+class PENPOSE_OT_delete_curve(_WithCurves, bpy.types.Operator):
     """Take a curve away; the pose stays"""
     bl_idname = 'penpose.delete_curve'
     bl_label = 'Delete Curve'
@@ -310,27 +310,19 @@ class PENPOSE_OT_delete_curve(bpy.types.Operator):
 
     curve: IntProperty(name='Curve', description='Its number; 0: all of them', default=0, min=0)
 
-    @classmethod
-    def poll(cls, context):
-        return _has_curves(cls, context)
-
     def execute(self, context):
         drawing.delete(mesh_of(context), self.curve or None)
         redraw()
         return {'FINISHED'}
 
 
-class PENPOSE_OT_choose(bpy.types.Operator):
+class PENPOSE_OT_choose(_WithCurves, bpy.types.Operator):
     """Draw the target of this reference with the next stroke. Click again to leave it"""
     bl_idname = 'penpose.choose'
     bl_label = 'Choose Curve'
     bl_options = {'INTERNAL'}
 
     curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
-
-    @classmethod
-    def poll(cls, context):
-        return _has_curves(cls, context)
 
     def execute(self, context):
         pen = context.window_manager.penpose
@@ -341,17 +333,13 @@ class PENPOSE_OT_choose(bpy.types.Operator):
         return {'FINISHED'}
 
 
-class PENPOSE_OT_hold(bpy.types.Operator):
+class PENPOSE_OT_hold(_WithCurves, bpy.types.Operator):
     """Heed this constraint, or leave it for now"""
     bl_idname = 'penpose.hold'
     bl_label = 'Heed Constraint'
     bl_options = {'UNDO'}
 
     curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
-
-    @classmethod
-    def poll(cls, context):
-        return _has_curves(cls, context)
 
     def execute(self, context):
         obj = mesh_of(context)
