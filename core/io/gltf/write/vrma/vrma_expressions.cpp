@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "core/document/expressions.h"
 #include "core/document/time/animation_sampling.h"
