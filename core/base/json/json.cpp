@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/base/json/json_value.h"
 
@@ -49,6 +50,8 @@ const Json* find(const Json& object, std::string_view name) {
   const auto found = object.find(name);
   return found == object.end() ? nullptr : &*found;
 }
+
+void refuse_access() { throw std::out_of_range("a JSON value has no such member"); }
 
 std::vector<const Json::object_t::value_type*> members_as_made(const Json& value) {
   std::vector<const Json::object_t::value_type*> members;

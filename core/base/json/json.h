@@ -15,9 +15,11 @@ namespace penpose::json {
 
 template <typename Name, typename Value, typename Less, typename Allocator>
 class Members;
+template <typename Value, typename Allocator>
+class Entries;
 
-/// nlohmann's value, whose objects are ours: json_value.h, for files that look into one.
-using Json = nlohmann::basic_json<Members>;
+/// nlohmann's value, whose objects and lists are ours: json_value.h, for files that look into one.
+using Json = nlohmann::basic_json<Members, Entries>;
 
 /// Nesting above this depth is refused: no model or case file needs it, and readers may recurse.
 inline constexpr std::size_t k_max_json_depth = 64;

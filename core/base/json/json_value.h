@@ -6,8 +6,14 @@
 #include <utility>
 #include <vector>
 
-// A text is taken out of a value by name, with get: never by an assignment that throws where it is none.
-#define JSON_USE_IMPLICIT_CONVERSIONS 0
+namespace penpose::json {
+/// Throws std::out_of_range: a member is asked for that is not there.
+[[noreturn]] void refuse_access();
+}  // namespace penpose::json
+
+// What is asked for and not there ends in an error, not in undefined behaviour. Whoever needs nlohmann's header takes
+// it from here, so that all of the program has the same.
+#define JSON_ASSERT(holds) (static_cast<bool>(holds) ? void() : penpose::json::refuse_access())
 #include <nlohmann/json.hpp>
 
 #include "core/base/json/json.h"
@@ -18,6 +24,13 @@ namespace penpose::json {
 template <typename Value>
 struct Member : Value {
   Member(Value value) noexcept : Value(std::move(value)) {}
+  Member(const Member&) = default;
+  Member(Member&&) noexcept = default;
+  ~Member() = default;
+  Member& operator=(Member other) noexcept {
+    Value::operator=(std::move(other));
+    return *this;
+  }
   std::uint32_t place = 0;  ///< among the members of its object; assigning a value leaves it
 };
 
@@ -37,6 +50,15 @@ class Members : public std::map<Name, Member<Value>, Less> {
     return added;
   }
   Member<Value>& operator[](const Name& name) { return emplace(name, nullptr).first->second; }
+};
+
+/// The entries of a list, whose brackets throw std::out_of_range.
+template <typename Value, typename Allocator>
+class Entries : public std::vector<Value, Allocator> {
+ public:
+  using std::vector<Value, Allocator>::vector;
+  [[nodiscard]] Value& operator[](std::size_t index) { return this->at(index); }
+  [[nodiscard]] const Value& operator[](std::size_t index) const { return this->at(index); }
 };
 
 /// The members of an object in the order in which they were made; of anything else none.
