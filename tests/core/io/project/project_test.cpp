@@ -203,8 +203,7 @@ base::Result<Document> read(const json::Json& project) {
 json::Json full_project() { return project_to_json(full_hand().document()); }
 
 /// Pointers to every member and item, the first two of every list.
-void gather(const json::Json& value, const json::Json::json_pointer& at,
-            std::vector<json::Json::json_pointer>& out) {
+void gather(const json::Json& value, const json::Json::json_pointer& at, std::vector<json::Json::json_pointer>& out) {
   if (value.is_object()) {
     for (const auto& [name, member] : value.items()) {
       out.push_back(at / name);
@@ -243,7 +242,7 @@ TEST(ProjectJson, WhateverIsMissingOrOfAnotherTypeIsToldWithItsPlace) {
     EXPECT_FALSE(document.error().what.empty() || document.error().remedy.empty()) << what;
   };
   const std::vector<json::Json> others{nullptr, true,   -1,        0, 1e300, 0.5, "x", json::Json::array(),
-                                           {{}},    {1, 2}, {{"a", 1}}};
+                                       {{}},    {1, 2}, {{"a", 1}}};
   for (const auto& place : places) {
     json::Json changed = project;
     if (place.back().find_first_not_of("0123456789") == std::string::npos) {
@@ -279,13 +278,11 @@ TEST(ProjectJson, ErrorsSayWhereTheyAre) {
   EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["points"][3][0] = 392; }), "/curves/0/points/3");
   EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["points"][3] = {0, 2, -1, 0}; }), "/curves/0/points/3");
   EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["view"] = "front"; }), "/curves/0/target/view");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["line"][1][2] = 1.5; }),
-            "/curves/0/target/line/1");
+  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["line"][1][2] = 1.5; }), "/curves/0/target/line/1");
   EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["points"][1][3] = -1; }),
             "/curves/0/target/points/1");
   EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["points"].erase(0); }), "/curves/0/target");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][1]["target"] = p["curves"][0]["target"]; }),
-            "/curves/1/target");
+  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][1]["target"] = p["curves"][0]["target"]; }), "/curves/1/target");
   EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["time_s"] = 0.1; }), "/timeline/keys/1/time_s");
   EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["pose"].erase(0); }), "/timeline/keys/1/pose");
   EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["name"] = 3; }), "/timeline/keys/1/name");
