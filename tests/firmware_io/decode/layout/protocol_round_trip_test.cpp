@@ -17,11 +17,9 @@ using Report = std::vector<std::uint8_t>;
 
 /// What a pen does at one moment, and what of it a protocol can say.
 struct Pen {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
+  std::int32_t x = 0, y = 0;
   std::int32_t pressure = 0;
-  std::int32_t tilt_x = 0;
-  std::int32_t tilt_y = 0;
+  std::int32_t tilt_x = 0, tilt_y = 0;
   std::uint32_t buttons = 0;
   bool eraser = false;
 };
