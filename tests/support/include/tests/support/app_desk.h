@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -133,6 +134,21 @@ class Desk {
     EXPECT_GT(line.size(), 1U) << "the model has no curve " << name;
     return line;
   }
+  /// Parameters of the model, by name.
+  [[nodiscard]] std::size_t index_of(const std::string& name) const {
+    return *rig::find_parameter(document().model->rig->parameters(), name);
+  }
+  [[nodiscard]] double value_of(const std::string& name) const { return document().pose[index_of(name)]; }
+  void set(const std::string& name, double value) {
+    app->of<Controls>().set_parameter(index_of(name), value);
+    frames(1);
+  }
+  /// Whether a notice has these words.
+  [[nodiscard]] bool says(const std::string& words) const {
+    const auto& notices = app->of<Notices>().all();
+    return std::any_of(notices.begin(), notices.end(),
+                       [&](const Notice& one) { return one.text.find(words) != std::string::npos; });
+  }
   [[nodiscard]] const document::Document& document() const { return app->of<EditingSession>().document(); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
 
@@ -167,6 +183,24 @@ inline void pose_mouth(Desk& desk) {
   const auto target = desk.named_curve(curve, {0, -14});
   desk.stroke(reference);
   desk.stroke(target);
+}
+
+/// Draws along the mouth and where it should go; the name of what moved most.
+[[nodiscard]] inline std::string moved_with_mouth(Desk& desk) {
+  pose_mouth(desk);
+  const auto& movements = desk.app->of<EditingSession>().last_stroke().movements();
+  EXPECT_FALSE(movements.empty());
+  return movements.empty() ? std::string() : movements.front().name;
+}
+
+/// Sketches a control below the mouth.
+inline void sketch_chin(Desk& desk) {
+  desk.click("Rig");
+  const auto mouth = desk.named_curve(any_curve(desk));
+  const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
+  desk.stroke(around(middle, 60, 32));
+  desk.stroke(around(middle, 28, 14));
+  desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
 }
 
 }  // namespace penpose::app
