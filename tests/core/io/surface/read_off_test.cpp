@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "tests/support/error_of.h"
+
 namespace penpose::io {
 namespace {
 
 base::Result<document::Model> read(const std::string& text) { return read_off(base::as_bytes(text)); }
-base::Error error(const std::string& text) {
-  const auto model = read(text);
-  return model ? base::Error{"(no error)", "", ""} : model.error();
-}
+base::Error error(const std::string& text) { return tests::error_of(read(text)); }
 
 TEST(ReadOff, QuadsCommentsAndColours) {
   const auto model = read("OFF # a square\n4 1 0\n0 0 0\n1 0 0\n# between\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n");
