@@ -8,20 +8,6 @@
 namespace penpose::app {
 namespace {
 
-void drag_slider(Desk& desk, const std::string& name, double to) {
-  const Area* area = desk.interface->find("slider " + name);
-  ASSERT_NE(area, nullptr) << name;
-  const Area slider = *area;
-  const auto at = [&](double share) { return PxPoint{slider.left + share * slider.width(), slider.middle().y}; };
-  desk.app->of<Pointer>().moved(at(0.3));
-  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.3));
-  desk.frames();
-  desk.app->of<Pointer>().moved(at(to));
-  desk.frames();
-  desk.app->of<Pointer>().button(MouseButton::left, false, at(to));
-  desk.frames();
-}
-
 TEST(Sides, LeftAndRightStandInOneRow) {
   Desk desk("pair-row");
   desk.begin();
@@ -30,7 +16,7 @@ TEST(Sides, LeftAndRightStandInOneRow) {
   ASSERT_TRUE(left != nullptr && right != nullptr);
   EXPECT_EQ(left->top, right->top);
   EXPECT_LE(left->right, right->left);
-  drag_slider(desk, "brow_inner_R", 0.8);
+  desk.drag_slider("brow_inner_R", 0.3, 0.8);
   const rig::Parameter brow = desk.document().model->rig->parameters()[desk.index_of("brow_inner_R")];
   const double range = brow.maximum - brow.minimum;
   EXPECT_NEAR(desk.value_of("brow_inner_R"), brow.minimum + 0.8 * range, 0.05 * range);
@@ -47,12 +33,12 @@ TEST(Sides, ALockedSliderDoesNotMove) {
   desk.frames(2);
   desk.click("##lock jaw");
   const auto state = desk.app->of<EditingSession>().state();
-  drag_slider(desk, "jaw", 0.9);
+  desk.drag_slider("jaw", 0.3, 0.9);
   EXPECT_EQ(desk.value_of("jaw"), 0);
   EXPECT_FALSE(desk.app->of<EditingSession>().shown().previews());
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
   desk.click("##lock jaw");
-  drag_slider(desk, "jaw", 0.9);
+  desk.drag_slider("jaw", 0.3, 0.9);
   EXPECT_GT(desk.value_of("jaw"), 0.5);
 }
 

@@ -26,6 +26,13 @@ void key_faces(Desk& desk, int count = 3) {
   desk.click("Rest pose");
 }
 
+struct KeyedDesk : Desk {
+  explicit KeyedDesk(const std::string& name) : Desk(name) {
+    begin();
+    key_faces(*this);
+  }
+};
+
 TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   Desk desk("suggest-grey");
   desk.begin();
@@ -44,9 +51,7 @@ TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
 }
 
 TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
-  Desk desk("suggest-take");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-take");
   desk.set("mouth_corner_L", 0.5);
   desk.set("mouth_corner_R", 0.5);
   const auto before = desk.app->of<EditingSession>().state();
@@ -66,9 +71,7 @@ TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
 }
 
 TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
-  Desk desk("suggest-dismiss");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-dismiss");
   desk.set("mouth_corner_L", 0.5);
   const auto before = desk.app->of<EditingSession>().state();
   const auto revision = desk.app->of<EditingSession>().revision();
@@ -89,9 +92,7 @@ TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
 }
 
 TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
-  Desk desk("suggest-half");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-half");
   desk.set("mouth_corner_L", 0.5);
   desk.click("Suggest");
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
@@ -119,9 +120,7 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
 }
 
 TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
-  Desk desk("suggest-end");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-end");
   desk.set("mouth_corner_L", 0.5);
   desk.press('g');
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
@@ -148,9 +147,7 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
 }
 
 TEST(Suggestion, ATakenOneIsReplayed) {
-  Desk desk("suggest-replay");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-replay");
   pose_mouth(desk);
   desk.press('g');
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());

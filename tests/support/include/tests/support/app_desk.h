@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -118,6 +119,40 @@ class Desk {
     }
     if (lift) app->of<Pointer>().button(MouseButton::left, false, through.back());
     frames();
+  }
+  /// Pulls a slider by its label from one share of its width to another, and lets it go or not.
+  void drag_slider(const std::string& label, double from, double to, bool lift = true) {
+    const Area* slider = interface->find("slider " + label);
+    ASSERT_NE(slider, nullptr) << label;
+    const PxPoint middle = slider->middle();
+    const double left = slider->left, width = slider->width();
+    const auto at = [&](double share) { return PxPoint{left + share * width, middle.y}; };
+    app->of<Pointer>().moved(at(from));
+    app->of<Pointer>().button(MouseButton::left, true, at(from));
+    frames();
+    app->of<Pointer>().moved(at(to));
+    frames();
+    if (lift) let_go(at(to));
+  }
+  void let_go(PxPoint at) {
+    app->of<Pointer>().button(MouseButton::left, false, at);
+    frames();
+  }
+  /// Opens a dialog; the number that it may ask for is the jaw's.
+  void show(const Dialog& dialog) {
+    app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
+    app->of<Dialogs>().show(dialog);
+    frames();
+  }
+  /// What is labelled so lies within a window of that size.
+  void expect_within(int width, int height, std::initializer_list<const char*> labels) {
+    for (const char* label : labels) {
+      const Area* area = interface->find(label);
+      ASSERT_NE(area, nullptr) << label;
+      EXPECT_GE(area->left, 0) << label;
+      EXPECT_LE(area->right, width) << label;
+      EXPECT_LE(area->bottom, height) << label << width;
+    }
   }
   /// Where the view shows points of a named curve of the model at rest, moved by some px.
   [[nodiscard]] std::vector<PxPoint> named_curve(const std::string& name, PxPoint by = {}) const {
