@@ -72,13 +72,13 @@ FoundLine base_of(const FaceSurface& surface, double middle, int mouth, int tip,
   return line;
 }
 
-struct Middle {
+struct FaceMiddle {
   double unit;         ///< px
   ModelPoint between;  ///< the eyes
   double column;       ///< of the picture
   MouthSeam::Column mouth;
 };
-Middle middle_of(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
+FaceMiddle face_middle(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
   const ModelPoint between = (eyes[0].centre + eyes[1].centre) * 0.5;
   return {px_of(surface, eyes), between, surface.image().column(between.x), seam.columns[seam.columns.size() / 2]};
 }
@@ -87,7 +87,7 @@ Middle middle_of(const FaceSurface& surface, const std::array<Eye, 2>& eyes, con
 
 Nose find_nose(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
   const FaceImage& image = surface.image();
-  const auto [unit, between, middle, mouth] = middle_of(surface, eyes, seam);
+  const auto [unit, between, middle, mouth] = face_middle(surface, eyes, seam);
   Nose nose;
   const int top = static_cast<int>(image.row(between.y));
   // Nearer to the mouth than a sixth of the way lies the lip.
@@ -118,7 +118,7 @@ Nose find_nose(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const
 
 Jaw find_jaw(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
   const FaceImage& image = surface.image();
-  const auto [unit, between, x, mouth] = middle_of(surface, eyes, seam);
+  const auto [unit, between, x, mouth] = face_middle(surface, eyes, seam);
   const double y = mouth.upper + k_jaw_rise * unit;
   // From the height of the eyes on the right side, around below.
   const double up = base::atan2(image.row(between.y) - y, 1.1 * unit);
