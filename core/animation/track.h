@@ -15,8 +15,7 @@ using geometry::PxPoint;
 
 /// Where an eye looks, radians from straight out of the face: to the picture's right, and down.
 struct Gaze {
-  double right = 0;
-  double down = 0;
+  double right = 0, down = 0;
 };
 
 /// What a tracker reports about a face besides its points.

@@ -27,6 +27,17 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
   return geometry::Camera::make(own ? *own : sketch.camera, sketch.viewport);
 }
 
+struct Cameras {
+  geometry::Camera regions, target;
+};
+base::Result<Cameras> cameras_of(const Sketch& sketch) {
+  const auto regions = camera_of(sketch, std::nullopt);
+  if (!regions) return at("camera", regions.error());
+  const auto target = camera_of(sketch, sketch.target_camera);
+  if (!target) return at("target_camera", target.error());
+  return Cameras{*regions, *target};
+}
+
 /// The reference curve, inferred or drawn, which stays on one sheet but for deformers of the paper.
 base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                           std::span<const std::uint32_t> specific, std::size_t points,
@@ -277,14 +288,12 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::with_range(double minimu
 
 base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& sketch, const Canvas& canvas,
                                                                  std::size_t points) {
-  const auto camera = camera_of(sketch, std::nullopt);
-  if (!camera) return at("camera", camera.error());
-  const auto target_camera = camera_of(sketch, sketch.target_camera);
-  if (!target_camera) return at("target_camera", target_camera.error());
+  const auto cameras = cameras_of(sketch);
+  if (!cameras) return cameras.error();
   const auto surface = KeptSurface::make(sketch.surface, canvas);
   if (!surface) return surface.error();
-  const auto region =
-      general_region(canvas, *camera, sketch.general, *surface, Borders::skipped, {sketch.reach, sketch.piece});
+  const auto region = general_region(canvas, cameras->regions, sketch.general, *surface, Borders::skipped,
+                                     {sketch.reach, sketch.piece});
   if (!region) return region_error(region.error());
   const auto lasso = geometry::Lasso::make(sketch.specific);
   if (!lasso) return at("specific", lasso.error());
@@ -293,13 +302,13 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
   if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
   const Patch patch(canvas, *region);
-  const Falloff falloff(patch, {*camera, *general, *lasso});
+  const Falloff falloff(patch, {cameras->regions, *general, *lasso});
   std::vector<std::uint32_t> specific;
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
     if (falloff.specific()[patch.nodes()[i]] != 0) specific.push_back(i);
   }
   if (specific.empty()) return at("specific", core_outside(*region, sketch.specific));
-  auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
+  auto curves = curves_of(sketch, canvas, *region, specific, cameras->target, *surface, points);
   if (!curves) return curves.error();
   std::string doubtful =
       sketch.reference.empty() ? doubt_of_inferred(canvas, *region, specific, curves->reference) : std::string();
@@ -337,22 +346,20 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
 
 base::Result<std::shared_ptr<const Deformer>> Deformer::by_paper(const Sketch& sketch, const Canvas& canvas,
                                                                  std::size_t points) {
-  const auto camera = camera_of(sketch, std::nullopt);
-  if (!camera) return at("camera", camera.error());
-  const auto target_camera = camera_of(sketch, sketch.target_camera);
-  if (!target_camera) return at("target_camera", target_camera.error());
+  const auto cameras = cameras_of(sketch);
+  if (!cameras) return cameras.error();
   auto surface = KeptSurface::make(sketch.surface, canvas);
   if (!surface) return surface.error();
-  const auto region =
-      general_region(canvas, *camera, sketch.general, *surface, Borders::measured, {sketch.reach, sketch.piece});
+  const auto region = general_region(canvas, cameras->regions, sketch.general, *surface, Borders::measured,
+                                     {sketch.reach, sketch.piece});
   if (!region) return region_error(region.error());
   const auto weights = specific_region(*region, sketch.specific);
   if (!weights) return at("specific", weights.error());
-  auto curves = curves_of(sketch, canvas, *region, weights->specific, *target_camera, *surface, points);
+  auto curves = curves_of(sketch, canvas, *region, weights->specific, cameras->target, *surface, points);
   if (!curves) return curves.error();
   Curve& reference = curves->reference;
   Curve& target = curves->target;
-  const Mode mode = choose_mode(sketch, *target_camera, reference, target);
+  const Mode mode = choose_mode(sketch, cameras->target, reference, target);
   if (sketch.reference.empty() && mode == Mode::rotate &&
       geometry::distance(reference.back(), target.back()) < geometry::distance(reference.front(), target.front())) {
     std::reverse(reference.begin(), reference.end());
@@ -361,7 +368,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::by_paper(const Sketch& s
 
   std::vector<PxPoint> seen;
   for (const ModelPoint& p : reference) {
-    const auto px = camera->project(p);
+    const auto px = cameras->regions.project(p);
     if (!px) {
       return base::Error{"the reference curve lies behind the camera of the regions", "reference",
                          "draw it nearer to the region"};

@@ -54,10 +54,7 @@ std::optional<Hash128> parse_hash(std::string_view text) {
   return Hash128{*high, *low};
 }
 
-StateHash::StateHash() : state_(std::make_unique<State>()) {}
-StateHash::~StateHash() = default;
-StateHash::StateHash(StateHash&&) noexcept = default;
-StateHash& StateHash::operator=(StateHash&&) noexcept = default;
+StateHash::StateHash() : state_(make_hidden<State>()) {}
 
 void StateHash::add(std::uint64_t value) { add_bytes(little_endian(value)); }
 void StateHash::add(double value) { add(canonical_bits(value)); }

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "core/base/byte_reader.h"
+#include "core/base/hidden.h"
 
 namespace penpose::base {
 
@@ -26,9 +26,6 @@ struct Hash128 {
 class StateHash {
  public:
   StateHash();
-  ~StateHash();
-  StateHash(StateHash&&) noexcept;
-  StateHash& operator=(StateHash&&) noexcept;
 
   void add(std::uint64_t value);
   void add(double value);
@@ -40,7 +37,7 @@ class StateHash {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  Hidden<State> state_;
 };
 
 /// The hash of 32 hexadecimal digits; nothing where the text is anything else.

@@ -82,6 +82,17 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
   return model;
 }
 
+void move_rest(Model& from, Model& to) {
+  to.materials = std::move(from.materials);
+  to.curves = std::move(from.curves);
+  to.animations = std::move(from.animations);
+  to.humanoid = from.humanoid;
+  to.front_yaw_degrees = from.front_yaw_degrees;
+  to.look = std::move(from.look);
+  to.notes = std::move(from.notes);
+  to.source = std::move(from.source);
+}
+
 base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendShapes> shapes,
                                   std::shared_ptr<const articulation::SketchedDeformers> deformers) {
   auto made = make_model(model.mesh, std::move(shapes), model.skeleton, std::move(deformers));
@@ -113,15 +124,8 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
       channel.values = std::move(values);
     }
   }
-  made->materials = std::move(model.materials);
-  made->curves = std::move(model.curves);
-  made->animations = std::move(model.animations);
-  made->humanoid = model.humanoid;
-  made->front_yaw_degrees = model.front_yaw_degrees;
-  made->look = std::move(model.look);
-  made->notes = std::move(model.notes);
+  move_rest(model, *made);
   made->expressions = expressions_for(std::move(model.expressions), model.rig->parameters(), parameters);
-  made->source = std::move(model.source);
   if (!model.corrections) return made;
   std::vector<CorrectionSketch> kept = correction_sketches(model);
   std::erase_if(kept, [&](const CorrectionSketch& one) {

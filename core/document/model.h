@@ -92,6 +92,9 @@ struct Model {
                                              std::shared_ptr<const articulation::SketchedDeformers> deformers = {},
                                              std::shared_ptr<const articulation::Corrections> corrections = {});
 
+/// Gives a model made anew what another one has beside its mesh, rig, pose and expressions.
+void move_rest(Model& from, Model& to);
+
 /// The model with other blend shapes and sketched deformers (null: none). Pose and animations are kept by the names of
 /// the parameters; new ones are at rest. Corrections are built again if the model they were drawn on has changed, and
 /// removed with any of their drivers. Errors: those of make_model, such as a duplicate name; a correction that no

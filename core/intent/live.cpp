@@ -196,10 +196,7 @@ struct LivePoser::State {
   }
 };
 
-LivePoser::LivePoser(std::unique_ptr<State> state) : state_(std::move(state)) {}
-LivePoser::~LivePoser() = default;
-LivePoser::LivePoser(LivePoser&&) noexcept = default;
-LivePoser& LivePoser::operator=(LivePoser&&) noexcept = default;
+LivePoser::LivePoser(base::Hidden<State> state) : state_(std::move(state)) {}
 
 base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, IntentProblem problem) {
   if (problem.drawn.empty())
@@ -220,7 +217,7 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
     if (auto status = check_problem(rig, meant); !status) return status.error();
     unlocked = std::make_unique<State>(rig, whole, std::move(meant));
   }
-  auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
+  auto state = base::make_hidden<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader().seen_at_start(0);
   state->length = curve::arc_length<PxPoint>(state->seen);
   const auto bends = state->reader().chain();

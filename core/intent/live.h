@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
@@ -23,9 +23,6 @@ class LivePoser {
   /// `problem.drawn.front()` is the curve whose target is being drawn; its line is not read and may be empty. All other
   /// curves keep their targets. Errors: those of check_problem. The rig must outlive it.
   static base::Result<LivePoser> start(const rig::Rig& rig, WholeModel whole, IntentProblem problem);
-  ~LivePoser();
-  LivePoser(LivePoser&&) noexcept;
-  LivePoser& operator=(LivePoser&&) noexcept;
 
   /// The target as drawn so far, all samples since pen-down: a line shorter than the reference is matched with
   /// its beginning (or its end, if drawing started there). Reports may be left out. With fewer than two distinct
@@ -44,8 +41,8 @@ class LivePoser {
 
  private:
   struct State;
-  explicit LivePoser(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit LivePoser(base::Hidden<State> state);
+  base::Hidden<State> state_;
 };
 
 }  // namespace penpose::intent

@@ -31,14 +31,8 @@ constexpr double k_least_doubt = 1e-30;
 
 /// Why the reference of a drawn curve cannot be seen in its view, if it cannot.
 std::optional<base::Error> unseen(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
-  posing::PoseProblem alone;
-  alone.pairs.push_back({curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), {}});
-  alone.start = pose;
-  posing::CurveSystem system(rig, alone);
-  std::vector<ModelPoint> positions(system.point_count());
-  system.positions(pose, positions);
   std::vector<PxPoint> seen;
-  for (const ModelPoint& p : positions) {
+  for (const ModelPoint& p : reference_at(rig, pose, curve)) {
     const auto px = curve.camera.project(p);
     if (!px)
       return base::Error{"the reference curve lies behind the camera", "", "turn the view so that it is visible"};
@@ -73,6 +67,16 @@ double stroke_doubt_px(std::span<const PxPoint> line, double hand_px) {
   // A corner that is meant is rounded by the filter, too: only what passes a half of the hand's own doubt counts.
   const double rough = std::sqrt(sum / k_samples);
   return hand_px + std::max(0.0, rough - 0.5 * hand_px);
+}
+
+std::vector<ModelPoint> reference_at(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
+  posing::PoseProblem alone;
+  alone.pairs.push_back({curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), {}});
+  alone.start = pose;
+  posing::CurveSystem system(rig, alone);
+  std::vector<ModelPoint> positions(system.point_count());
+  system.positions(pose, positions);
+  return positions;
 }
 
 base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {

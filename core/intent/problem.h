@@ -77,6 +77,9 @@ struct IntentProblem {
   std::vector<TakenReading> taken = {};
 };
 
+/// Where the reference of a drawn curve is at a pose.
+[[nodiscard]] std::vector<ModelPoint> reference_at(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve);
+
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,
 /// numbers that are not finite, vertices or parameters out of range, a start outside its ranges, a reference behind its
 /// camera or without length in its view.

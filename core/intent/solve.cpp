@@ -11,10 +11,7 @@
 
 namespace penpose::intent {
 
-SolveWorkspace::SolveWorkspace() : buffers_(std::make_unique<Buffers>()) {}
-SolveWorkspace::~SolveWorkspace() = default;
-SolveWorkspace::SolveWorkspace(SolveWorkspace&&) noexcept = default;
-SolveWorkspace& SolveWorkspace::operator=(SolveWorkspace&&) noexcept = default;
+SolveWorkspace::SolveWorkspace() : buffers_(base::make_hidden<Buffers>()) {}
 
 namespace {
 
@@ -28,17 +25,14 @@ constexpr double k_near_enough = 0.6;
 constexpr double k_lean_gain = 3.0;
 /// How much lower the energy has to be before what was drawn before is read anew, and again for each control taken
 /// back; and how much less is asked where what stays needs a control at its limit.
-constexpr double k_stay = 10.0;
-constexpr double k_stay_at_limit = 16.0;
+constexpr double k_stay = 10.0, k_stay_at_limit = 16.0;
 /// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
-constexpr double k_as_near = 1.2;
-constexpr double k_as_near_beyond = 6.0;
+constexpr double k_as_near = 1.2, k_as_near_beyond = 6.0;
 /// How near a limit that is, share of the range.
 constexpr double k_at_limit = 0.02;
 /// A control that is asked for this share of what it can or more hardly is what was meant: a shape that something else
 /// takes on is thought of then, even though the line is met, and taken where it is better by this.
-constexpr double k_strained = 0.85;
-constexpr double k_unstrained_gain = 4.0;
+constexpr double k_strained = 0.85, k_unstrained_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.

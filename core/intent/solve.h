@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
@@ -55,14 +55,11 @@ struct Solution {
 class SolveWorkspace {
  public:
   SolveWorkspace();
-  ~SolveWorkspace();
-  SolveWorkspace(SolveWorkspace&&) noexcept;
-  SolveWorkspace& operator=(SolveWorkspace&&) noexcept;
   struct Buffers;
   [[nodiscard]] Buffers& buffers() { return *buffers_; }
 
  private:
-  std::unique_ptr<Buffers> buffers_;
+  base::Hidden<Buffers> buffers_;
 };
 
 /// Finds the intended pose. Minimises, over which controls move and how far, what is left of the curves and what the

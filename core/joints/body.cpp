@@ -12,8 +12,7 @@ namespace {
 
 /// A limb's middle joint that is bent by less shows no plane; one that is bent by more is a corner, not a hinge at
 /// rest.
-constexpr double k_least_bend = 4.0;
-constexpr double k_most_bend = 50.0;
+constexpr double k_least_bend = 4.0, k_most_bend = 50.0;
 /// Longer ways without branches are tails, tentacles and ropes, whose bends at rest are curls.
 constexpr std::size_t k_longest_limb = 5;
 /// How far from its parent's bone a helper may lie, as a share of the bone's length.

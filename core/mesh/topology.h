@@ -12,9 +12,7 @@ namespace penpose::mesh {
 
 /// An undirected edge and one triangle beside it.
 struct EdgeUse {
-  std::uint32_t low = 0;
-  std::uint32_t high = 0;
-  std::uint32_t triangle = 0;
+  std::uint32_t low = 0, high = 0, triangle = 0;
 };
 
 /// The three edges of every triangle, sorted by edge, then by triangle.

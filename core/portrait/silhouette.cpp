@@ -15,13 +15,11 @@ using geometry::ModelVector;
 
 /// Facets hide a contour that is drawn across them, so that places a little outside of it are looked at. What hides
 /// them lies this far before them. Shares of the model's size.
-constexpr double k_outside = 0.003;
-constexpr double k_before = 0.01;
+constexpr double k_outside = 0.003, k_before = 0.01;
 /// Where a contour goes behind something is found to this part of the way between two of its points: 2^-6.
 constexpr int k_halvings = 6;
 /// Hidden for less than this, share of the model's size, it is drawn on: facets of a coarse surface stand out so far.
-constexpr double k_gap = 0.006;
-constexpr double k_apart_px = 4.0;
+constexpr double k_gap = 0.006, k_apart_px = 4.0;
 /// A ray looks through so many facets beside the contour.
 constexpr int k_most_facets = 6;
 

@@ -3,16 +3,13 @@
 #include <cstddef>
 #include <span>
 
+#include "core/base/interface.h"
+
 namespace penpose::posing {
 
 /// A solution whose variables can be reset to their values before the solve, one at a time.
-class Revertible {
+class Revertible : public base::Interface {
  public:
-  virtual ~Revertible() = default;
-  Revertible() = default;
-  Revertible(const Revertible&) = delete;
-  Revertible& operator=(const Revertible&) = delete;
-
   [[nodiscard]] virtual std::size_t count() const = 0;
   /// True when variable i differs from its value before the solve.
   [[nodiscard]] virtual bool changed(std::size_t i) const = 0;

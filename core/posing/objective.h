@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/interface.h"
+
 namespace penpose::posing {
 
 /// What a simplex minimises, in variables u that each run over 0..1.
@@ -10,13 +12,8 @@ namespace penpose::posing {
 /// An objective may carry an *image*: numbers that depend on u in an affine way and from which the value follows. The
 /// simplex combines images with the weights with which it combines its vertices, so that a trial needs no evaluation
 /// from scratch and costs the same for 15 and for 300 variables. A black box has an image of size 0.
-class Objective {
+class Objective : public base::Interface {
  public:
-  virtual ~Objective() = default;
-  Objective() = default;
-  Objective(const Objective&) = delete;
-  Objective& operator=(const Objective&) = delete;
-
   [[nodiscard]] virtual std::size_t dimension() const = 0;
   [[nodiscard]] virtual std::size_t image_size() const = 0;
   /// The image at u, from scratch.

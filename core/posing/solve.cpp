@@ -18,10 +18,7 @@ struct SolveWorkspace::Buffers {
   Residuals residuals;
 };
 
-SolveWorkspace::SolveWorkspace() : buffers_(std::make_unique<Buffers>()) {}
-SolveWorkspace::~SolveWorkspace() = default;
-SolveWorkspace::SolveWorkspace(SolveWorkspace&&) noexcept = default;
-SolveWorkspace& SolveWorkspace::operator=(SolveWorkspace&&) noexcept = default;
+SolveWorkspace::SolveWorkspace() : buffers_(base::make_hidden<Buffers>()) {}
 
 namespace {
 

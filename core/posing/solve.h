@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 #include "core/posing/problem.h"
 
@@ -26,14 +26,11 @@ struct SolveOptions {
 class SolveWorkspace {
  public:
   SolveWorkspace();
-  ~SolveWorkspace();
-  SolveWorkspace(SolveWorkspace&&) noexcept;
-  SolveWorkspace& operator=(SolveWorkspace&&) noexcept;
   struct Buffers;
   [[nodiscard]] Buffers& buffers() { return *buffers_; }
 
  private:
-  std::unique_ptr<Buffers> buffers_;
+  base::Hidden<Buffers> buffers_;
 };
 
 struct Solution {

@@ -75,31 +75,31 @@ std::optional<std::vector<double>> carried(const PosePrior& prior, std::span<con
   const double scale = (1 - prior.shrinkage) / static_cast<double>(n);
   const double own = prior.shrinkage * prior.spread;
   const auto x = [&](std::size_t sample, std::size_t j) { return prior.deviations[sample * p + known[j]]; };
+  // The lower half of scale R R' + own I, R of rows of so many terms.
+  const auto products = [&](std::size_t rows, std::size_t terms, const auto& r) {
+    std::vector<double> matrix(rows * rows, 0.0);
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        double sum = 0;
+        for (std::size_t t = 0; t < terms; ++t) sum += r(i, t) * r(j, t);
+        matrix[i * rows + j] = scale * sum + (i == j ? own : 0);
+      }
+    }
+    return matrix;
+  };
   // How much of each sample goes into the answer: scale X_k (scale X_k'X_k + own I)^-1 d, or what is the same,
   // scale (scale X_k X_k' + own I)^-1 X_k d.
   std::vector<double> weights(n, 0.0);
   if (k <= n) {
-    std::vector<double> matrix(k * k, 0.0);
-    for (std::size_t i = 0; i < k; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        double sum = 0;
-        for (std::size_t s = 0; s < n; ++s) sum += x(s, i) * x(s, j);
-        matrix[i * k + j] = scale * sum + (i == j ? own : 0);
-      }
-    }
+    auto matrix = products(k, n, [&](std::size_t i, std::size_t s) { return x(s, i); });
     if (!algebra::factor(matrix.data(), k)) return std::nullopt;
     algebra::solve_factored(matrix.data(), k, d.data());
     for (std::size_t s = 0; s < n; ++s) {
       for (std::size_t j = 0; j < k; ++j) weights[s] += x(s, j) * d[j];
     }
   } else {
-    std::vector<double> matrix(n * n, 0.0);
+    auto matrix = products(n, k, x);
     for (std::size_t s = 0; s < n; ++s) {
-      for (std::size_t t = 0; t <= s; ++t) {
-        double sum = 0;
-        for (std::size_t j = 0; j < k; ++j) sum += x(s, j) * x(t, j);
-        matrix[s * n + t] = scale * sum + (s == t ? own : 0);
-      }
       for (std::size_t j = 0; j < k; ++j) weights[s] += x(s, j) * d[j];
     }
     if (!algebra::factor(matrix.data(), n)) return std::nullopt;

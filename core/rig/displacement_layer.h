@@ -4,18 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/rig/rig.h"
 
 namespace penpose::rig {
 
 /// A layer evaluated at a few vertices only.
-class BoundLayer {
+class BoundLayer : public base::Interface {
  public:
-  virtual ~BoundLayer() = default;
-  BoundLayer() = default;
-  BoundLayer(const BoundLayer&) = delete;
-  BoundLayer& operator=(const BoundLayer&) = delete;
-
   /// Adds the layer's displacements at its parameter values (one for each parameter of the layer). Never allocates.
   virtual void add(std::span<const double> values, std::span<ModelVector> displacements) = 0;
   /// False when no value of the layer's parameter moves any bound vertex.
@@ -27,13 +23,8 @@ class BoundLayer {
 
 /// A set of parameters that each displace rest vertices. The displacements of all layers add up; joints act after the
 /// sum.
-class DisplacementLayer {
+class DisplacementLayer : public base::Interface {
  public:
-  virtual ~DisplacementLayer() = default;
-  DisplacementLayer() = default;
-  DisplacementLayer(const DisplacementLayer&) = delete;
-  DisplacementLayer& operator=(const DisplacementLayer&) = delete;
-
   [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
   /// A layer without parameters of its own that what others are set to brings in: it and what is bound of it are given
   /// the values of the whole rig, by whose numbers `moves` and `column` go.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/geometry/space.h"
 
 namespace penpose::rig {
@@ -36,13 +37,8 @@ struct LinearForm {
 };
 
 /// A few vertices of a rig, ready for being evaluated many times. Holds scratch memory: one object for each thread.
-class BoundVertices {
+class BoundVertices : public base::Interface {
  public:
-  virtual ~BoundVertices() = default;
-  BoundVertices() = default;
-  BoundVertices(const BoundVertices&) = delete;
-  BoundVertices& operator=(const BoundVertices&) = delete;
-
   [[nodiscard]] virtual std::size_t vertex_count() const = 0;
   /// World positions of the bound vertices, in the order in which they were bound. Never allocates.
   virtual void evaluate(std::span<const double> pose, std::span<ModelPoint> positions) = 0;
@@ -55,13 +51,8 @@ class BoundVertices {
 };
 
 /// Anything that turns parameters into vertex positions. Immutable; safe to share between threads.
-class Rig {
+class Rig : public base::Interface {
  public:
-  virtual ~Rig() = default;
-  Rig() = default;
-  Rig(const Rig&) = delete;
-  Rig& operator=(const Rig&) = delete;
-
   [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
   [[nodiscard]] virtual std::size_t vertex_count() const = 0;
   /// World positions of all vertices. Precondition: pose has one value a parameter, positions one place a vertex.

@@ -8,8 +8,7 @@ namespace penpose::sound {
 
 /// The least and the greatest sample of a stretch.
 struct Peak {
-  float low = 0;
-  float high = 0;
+  float low = 0, high = 0;
   friend bool operator==(const Peak&, const Peak&) = default;
 };
 

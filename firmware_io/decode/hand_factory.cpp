@@ -31,7 +31,6 @@ constexpr std::uint32_t k_many_fingers_length = 64;
 constexpr std::int32_t k_message_maximum = 4096;  ///< of positions in messages of eight bytes
 /// Room for fingers where the tablet has to be asked for it, which a decoder cannot.
 constexpr std::uint8_t k_assumed_contacts = 16;
-constexpr hid::Usage k_contact_max = hid::usage(hid::k_page_digitizer, 0x55);
 
 /// What the collections of a Wacom interface say is on it, though not how it is told of.
 struct Carried {
@@ -50,7 +49,7 @@ Carried carried(const ReportDescriptor& descriptor) {
   for (const hid::Field& field : descriptor.fields) {
     if (field.usages.empty()) continue;
     const hid::Usage usage = standard_usage(field.usage_of(0));
-    has.asks_contacts = has.asks_contacts || (field.type == ReportType::feature && usage == k_contact_max);
+    has.asks_contacts = has.asks_contacts || (field.type == ReportType::feature && usage == hid::k_contact_max);
     if (field.type != ReportType::input) continue;
     const bool pen = is_wacom_pen(descriptor, field);
     const bool finger = !pen && is_wacom_finger(descriptor, field);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/byte_reader.h"
+#include "core/base/interface.h"
 #include "core/base/result.h"
 
 namespace penpose::device {
@@ -28,13 +29,8 @@ struct ReadOutcome {
 
 /// One open HID interface. All calls come from one thread at a time. The destructor closes it and gives
 /// the interface back to the system.
-class ReportSource {
+class ReportSource : public base::Interface {
  public:
-  virtual ~ReportSource() = default;
-  ReportSource() = default;
-  ReportSource(const ReportSource&) = delete;
-  ReportSource& operator=(const ReportSource&) = delete;
-
   /// Waits at most `timeout_ms` for a report, its id first where reports are numbered; `into` holds k_longest_report.
   virtual ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) = 0;
 

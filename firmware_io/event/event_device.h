@@ -10,17 +10,14 @@ namespace penpose::event {
 
 /// An event of a Linux input device. Numbers are those of input-event-codes.h.
 struct Event {
-  std::uint16_t type = 0;
-  std::uint16_t code = 0;
+  std::uint16_t type = 0, code = 0;
   std::int32_t value = 0;
 };
 
 /// The range of an absolute axis as its driver states it. `resolution` is in units per mm, of tilt and rotation in
 /// units per radian; 0: unknown.
 struct AbsRange {
-  std::int32_t minimum = 0;
-  std::int32_t maximum = 0;
-  std::int32_t resolution = 0;
+  std::int32_t minimum = 0, maximum = 0, resolution = 0;
 
   [[nodiscard]] bool is_empty() const { return minimum >= maximum; }
 };

@@ -25,7 +25,7 @@ void write(std::vector<std::uint8_t>& report, const PlacedControl& control, std:
 }  // namespace
 
 EventEncoder::EventEncoder(const EventAxes& axes)
-    : layout_(std::make_unique<const EventLayout>(make_event_layout(axes))), fingers_(layout_->slots) {
+    : layout_(base::make_hidden<const EventLayout>(make_event_layout(axes))), fingers_(layout_->slots) {
   for (const PlacedReport* report : {&layout_->pen, &layout_->puck, &layout_->pad}) {
     for (const PlacedControl& control : report->controls) {
       if (control.code == 0 && control.type == EV_KEY) continue;
@@ -41,10 +41,6 @@ EventEncoder::EventEncoder(const EventAxes& axes)
   }
   if (layout_->pen.length != 0 && axes.has_key(BTN_TOUCH)) values_[key_of(EV_KEY, BTN_TOUCH)].of_pen = true;
 }
-
-EventEncoder::~EventEncoder() = default;
-EventEncoder::EventEncoder(EventEncoder&&) noexcept = default;
-EventEncoder& EventEncoder::operator=(EventEncoder&&) noexcept = default;
 
 std::int32_t EventEncoder::value_of(std::uint16_t type, std::uint16_t code) const {
   const auto found = values_.find(key_of(type, code));

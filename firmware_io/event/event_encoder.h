@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/hidden.h"
 #include "firmware_io/event/event_device.h"
 
 namespace penpose::event {
@@ -22,9 +22,6 @@ class EventEncoder {
   using Reports = std::vector<std::vector<std::uint8_t>>;
 
   explicit EventEncoder(const EventAxes& axes);
-  ~EventEncoder();
-  EventEncoder(EventEncoder&&) noexcept;
-  EventEncoder& operator=(EventEncoder&&) noexcept;
 
   /// A value that a control has already; gives no report.
   void begin_with(const Event& event);
@@ -60,7 +57,7 @@ class EventEncoder {
   [[nodiscard]] std::int32_t value_of(std::uint16_t type, std::uint16_t code) const;
   [[nodiscard]] bool is_on_ring() const;
 
-  std::unique_ptr<const EventLayout> layout_;
+  base::Hidden<const EventLayout> layout_;
   std::map<std::uint32_t, Value> values_;  ///< by type and code
   std::vector<Finger> fingers_;
   std::size_t slot_ = 0;

@@ -99,16 +99,9 @@ base::Result<ReportDescriptor> Parser::run() {
 }
 
 Parser::Problem Parser::handle(const Item& item) {
-  switch (item.type) {
-    case ItemType::main:
-      return handle_main(item);
-    case ItemType::global:
-      return handle_global(item);
-    case ItemType::local:
-      return handle_local(item);
-    case ItemType::reserved:
-      break;
-  }
+  if (item.type == ItemType::main) return handle_main(item);
+  if (item.type == ItemType::global) return handle_global(item);
+  if (item.type == ItemType::local) return handle_local(item);
   if (strictness_ == Strictness::tolerant) return std::nullopt;
   return illegal(item.offset, "item of a reserved type");
 }

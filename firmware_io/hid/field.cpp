@@ -7,10 +7,7 @@
 namespace penpose::hid {
 namespace {
 
-constexpr std::uint32_t k_system_si_linear = 1;
-constexpr std::uint32_t k_system_si_rotation = 2;
-constexpr std::uint32_t k_system_english_linear = 3;
-constexpr std::uint32_t k_system_english_rotation = 4;
+enum class System : std::uint32_t { si_linear = 1, si_rotation, english_linear, english_rotation };
 
 double ten_to_the(std::int32_t exponent) {
   double result = 1;
@@ -21,8 +18,8 @@ double ten_to_the(std::int32_t exponent) {
 
 /// Logical units for each of the field's own physical units; 0 unless the unit is of `system` and nothing but a first
 /// power.
-double density(const Field& field, std::uint32_t system) {
-  if (field.unit != (0x10u | system)) return 0;
+double density(const Field& field, System system) {
+  if (field.unit != (0x10u | static_cast<std::uint32_t>(system))) return 0;
   const auto physical = static_cast<double>(field.physical_maximum - field.physical_minimum);
   const auto logical = static_cast<double>(field.logical_maximum - field.logical_minimum);
   if (physical <= 0 || logical <= 0) return 0;
@@ -84,13 +81,13 @@ std::int64_t value_of(const Field& field, base::Bytes report, std::uint32_t inde
 }
 
 double units_per_mm(const Field& field) {
-  if (const double per_cm = density(field, k_system_si_linear); per_cm > 0) return per_cm / 10;
-  return density(field, k_system_english_linear) / 25.4;
+  if (const double per_cm = density(field, System::si_linear); per_cm > 0) return per_cm / 10;
+  return density(field, System::english_linear) / 25.4;
 }
 
 double units_per_degree(const Field& field) {
-  if (const double per_degree = density(field, k_system_english_rotation); per_degree > 0) return per_degree;
-  return density(field, k_system_si_rotation) * (base::k_pi / 180);
+  if (const double per_degree = density(field, System::english_rotation); per_degree > 0) return per_degree;
+  return density(field, System::si_rotation) * (base::k_pi / 180);
 }
 
 }  // namespace penpose::hid

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "replay/recording/recording_format.h"
 
 namespace penpose::replay {
@@ -45,16 +46,18 @@ using NextPiece = std::function<base::Result<bool>(std::string& out)>;
 /// The text of all pieces as a file. Pieces should be bounded: one is held at a time.
 [[nodiscard]] ReadBytes read_pieces(NextPiece next);
 
+/// The same of a converter that is made of the file, piece by piece by its `next`.
+template <typename Converter>
+[[nodiscard]] ReadBytes read_through(ReadBytes read) {
+  auto converter = std::make_shared<Converter>(std::move(read));
+  return read_pieces([converter](std::string& out) { return converter->next(out); });
+}
+
 /// Makes text of a file's text line by line: `line` is without its end ("\n" or "\r\n") and cut to
 /// TraceReader::k_longest_line bytes. What a line comes to is appended to `out` as whole lines. Where that is nothing,
 /// an empty line is written, so that numbers of lines stay near those of the file.
-class LineConverter {
+class LineConverter : public base::Interface {
  public:
-  LineConverter() = default;
-  LineConverter(const LineConverter&) = delete;
-  LineConverter& operator=(const LineConverter&) = delete;
-  virtual ~LineConverter() = default;
-
   virtual base::Status line(std::string_view text, std::string& out) = 0;
   /// After the last line.
   virtual void finish(std::string& out) = 0;

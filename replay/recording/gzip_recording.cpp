@@ -80,13 +80,8 @@ class Unpacker {
   std::uint64_t unpacked_bytes_ = 0;
 };
 
-ReadBytes unpack(ReadBytes read) {
-  auto unpacker = std::make_shared<Unpacker>(std::move(read));
-  return read_pieces([unpacker](std::string& out) { return unpacker->next(out); });
-}
-
 }  // namespace
 
-RecordingFormat gzip_recording() { return {"gzip", is_gzip, nullptr, unpack, nullptr}; }
+RecordingFormat gzip_recording() { return {"gzip", is_gzip, nullptr, read_through<Unpacker>, nullptr}; }
 
 }  // namespace penpose::replay

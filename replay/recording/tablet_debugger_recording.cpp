@@ -20,8 +20,7 @@ namespace {
 /// Reports whose line says no time are so far apart, as those of many tablets.
 constexpr std::int64_t k_usual_period_us = 5000;
 constexpr std::int64_t k_longest_pause_us = 3'600'000'000;
-constexpr std::size_t k_most_debugged_interfaces = 256;
-constexpr std::size_t k_longest_name = 256;
+constexpr std::size_t k_most_debugged_interfaces = 256, k_longest_name = 256;
 
 struct DebuggerLine {
   std::string_view name;                      ///< of the tablet, in OpenTabletDriver's table; empty: not told

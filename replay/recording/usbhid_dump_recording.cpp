@@ -16,8 +16,7 @@ namespace {
 constexpr std::int64_t k_micros = 1000000;
 constexpr std::uint64_t k_latest_second = 9'000'000'000'000;
 /// More interfaces than are at all USB buses of a machine.
-constexpr std::size_t k_most_dumped_interfaces = 4096;
-constexpr std::size_t k_most_told_devices = 4096;
+constexpr std::size_t k_most_dumped_interfaces = 4096, k_most_told_devices = 4096;
 
 struct BusDevice {
   int bus = 0;

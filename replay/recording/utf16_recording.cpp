@@ -51,13 +51,8 @@ class Recoder {
   bool little_ = true;
 };
 
-ReadBytes recode(ReadBytes read) {
-  auto recoder = std::make_shared<Recoder>(std::move(read));
-  return read_pieces([recoder](std::string& out) { return recoder->next(out); });
-}
-
 }  // namespace
 
-RecordingFormat utf16_recording() { return {"UTF-16", is_utf16, nullptr, recode, nullptr}; }
+RecordingFormat utf16_recording() { return {"UTF-16", is_utf16, nullptr, read_through<Recoder>, nullptr}; }
 
 }  // namespace penpose::replay

@@ -20,6 +20,7 @@
 #include "core/portrait/pose_from_drawing.h"
 #include "core/portrait/proportions.h"
 #include "core/portrait/sheet_warp.h"
+#include "tests/support/hands/tremor.h"
 #include "tests/support/random.h"
 #include "ui/files/load_model.h"
 
@@ -162,13 +163,7 @@ class Artist {
   static DrawnLine by_hand(const DrawnLine& line, tests::Random& random) {
     const auto points = curve::resample<PxPoint>(line, 40);
     if (!points) return line;
-    DrawnLine out = *points;
-    const double a = random(0, 6), b = random(0, 6), c = random(0.3, 0.6), d = random(0.3, 0.6);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const double t = static_cast<double>(i);
-      out[i] = out[i] + PxPoint{2.5 * std::sin(a + c * t), 2.5 * std::sin(b + d * t)};
-    }
-    return out;
+    return tests::with_tremor(*points, random, 0.3, 0.6);
   }
 
   const document::Model& model_;

@@ -24,6 +24,7 @@
 #include "core/joints/body.h"
 #include "core/portrait/contour/pose_from_contours.h"
 #include "core/portrait/silhouette.h"
+#include "tests/support/hands/tremor.h"
 #include "tests/support/random.h"
 #include "ui/files/load_model.h"
 #include "ui/render/framing.h"
@@ -168,13 +169,7 @@ class Stage {
   /// Points 8 px apart with a smooth tremor of 2.5 px.
   static std::vector<PxPoint> by_hand(const std::vector<PxPoint>& line, tests::Random& random) {
     const auto count = static_cast<std::size_t>(curve::arc_length<PxPoint>(line) / 8.0) + 2;
-    auto out = curve::resample<PxPoint>(line, count).value();
-    const double a = random(0, 6), b = random(0, 6), c = random(0.15, 0.4), d = random(0.15, 0.4);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const double t = static_cast<double>(i);
-      out[i] = out[i] + PxPoint{2.5 * std::sin(a + c * t), 2.5 * std::sin(b + d * t)};
-    }
-    return out;
+    return tests::with_tremor(curve::resample<PxPoint>(line, count).value(), random, 0.15, 0.4);
   }
 
   const document::Model& model_;

@@ -21,10 +21,7 @@ constexpr double k_pi = 3.14159265358979323846;
 
 /// How a feature moves at full strength: px along, px down, turned (degrees) about its first end, bowed (px).
 struct Change {
-  double right = 0;
-  double down = 0;
-  double turn = 0;
-  double bow = 0;
+  double right = 0, down = 0, turn = 0, bow = 0;
 };
 
 struct Strength {

@@ -8,12 +8,10 @@ for 1280x800.
 A pen draws through the kernel's uhid; the session that the board keeps replays here to the state that it had there. Ends with
 status 77 (skipped) where QEMU, the kernel or a package of the board's is missing.
 """
-import argparse
 import json
 import os
 import subprocess
 import sys
-import time
 import unittest
 
 import board
@@ -21,7 +19,6 @@ import machine
 import screen_picture
 
 MEMORY_MB = 128
-LEAST_SKIN = 0.02
 # Along the mouth of the built-in head and where it should go, in shares of a screen of this size.
 SIZE = (800, 480)
 LINES = [[(0.338 + 0.006 * i, 0.452 + 0.0003 * i * (8 - i)) for i in range(9)], [(0.333 + 0.00725 * i, 0.43 + 0.002 * i * (8 - i)) for i in range(9)]]
@@ -57,7 +54,7 @@ class Boot(unittest.TestCase):
     def test_the_head_is_seen(self):
         picture = screen_picture.read(SHOT)
         self.assertEqual((len(picture[0]), len(picture)), OPTIONS.size)
-        self.assertGreater(screen_picture.skin_in(picture), LEAST_SKIN)
+        self.assertGreater(screen_picture.skin_in(picture), screen_picture.LEAST_SKIN)
 
     def test_what_was_drawn_replays_elsewhere_to_the_same_state(self):
         session = os.path.join(OPTIONS.work, 'drawn.session')
@@ -101,12 +98,7 @@ def run_machine(options):
     shot = os.path.join(options.work, 'screen.ppm')
     try:
         vm.wait_for_mark('window', 300)
-        until = time.monotonic() + 120
-        while time.monotonic() < until:
-            time.sleep(2)
-            vm.command('screendump', filename=shot)
-            if screen_picture.skin_in(screen_picture.read(shot)) > LEAST_SKIN:
-                break
+        screen_picture.look_until(vm, shot, screen_picture.shows_head, 120)
         vm.command('device_del', id='mouse')
         vm.wait_for_mark('drawn', 300)
         vm.command('screendump', filename=shot)
@@ -117,9 +109,7 @@ def run_machine(options):
         print('\n'.join(line for line in vm.text().splitlines() if line.startswith(('MARK', 'STAGE', 'GAVE UP'))), flush=True)
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'build', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'build', 'tools', 'work')
 parser.add_argument('--init', choices=('busybox', 'systemd'), default='busybox')
 parser.add_argument('--swap', action='store_true')
 parser.add_argument('--size', type=lambda text: tuple(int(side) for side in text.split('x')), default=SIZE)

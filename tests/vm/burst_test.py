@@ -4,9 +4,7 @@ A test of its own because the minute cannot be had in less.
 
 usage: burst_test.py --tools FOLDER --work FOLDER [--seconds SECONDS]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import json
-import os
 import sys
 import unittest
 
@@ -27,22 +25,13 @@ class Burst(unittest.TestCase):
         self.assertEqual(BURST['points'], BURST['sent'] * DOWN // PERIOD)
 
 
-parser = argparse.ArgumentParser()
-for option in ('tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('tools', 'work')
 parser.add_argument('--seconds', type=int, default=60)
 OPTIONS = parser.parse_args()
 machine.skip_if_missing()
-os.makedirs(OPTIONS.work, exist_ok=True)
-with open(os.path.join(machine.HERE, 'guest/burst.sh'), encoding='utf-8') as f:
-    FILES = {'/job.sh': f.read(), '/burst_seconds': str(OPTIONS.seconds)}
-ARCHIVE = machine.build_initramfs(OPTIONS.work, [os.path.join(OPTIONS.tools, 'pump_probe')], FILES,
-                                  'virtio_pci virtio_console hid hid-generic uhid'.split())
-VM = machine.Machine(OPTIONS.work, ARCHIVE, limit_s=300 + 3 * OPTIONS.seconds)
-try:
-    RESULTS = VM.results()
-finally:
-    VM.end()
+ARCHIVE = machine.archive_of(OPTIONS, 'burst', ('pump_probe',), {'/burst_seconds': str(OPTIONS.seconds)},
+                             'virtio_pci virtio_console hid hid-generic uhid'.split())
+RESULTS, _ = machine.ran(OPTIONS, ARCHIVE, limit_s=300 + 3 * OPTIONS.seconds)
 print(RESULTS['burst.err'].decode(), RESULTS['burst.json'].decode(), flush=True)
 BURST = json.loads(RESULTS['burst.json'])
 unittest.main(argv=sys.argv[:1], verbosity=2)

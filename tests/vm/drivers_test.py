@@ -4,7 +4,6 @@ given to the driver in a virtual machine and to `penpose decode` here, and what 
 
 usage: drivers_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--only PART_OF_A_NAME,...] [--rows FOLDER of an earlier run]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import os
 import sys
 import unittest
@@ -33,9 +32,7 @@ def trace_file(name):
     return os.path.join(OPTIONS.work, name + '.hid')
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'tools', 'work')
 parser.add_argument('--only', default='')
 parser.add_argument('--rows', default='')
 OPTIONS = parser.parse_args()
@@ -48,16 +45,9 @@ for tablet in NAMES:
     FILES[f'/traces/{tablet}.hid'] = TABLETS[tablet][1]
     with open(trace_file(tablet), 'w', encoding='utf-8') as f:
         f.write(TABLETS[tablet][1])
-with open(os.path.join(machine.HERE, 'guest/drivers.sh'), encoding='utf-8') as f:
-    FILES['/job.sh'] = f.read()
 if not OPTIONS.rows:
-    ARCHIVE = machine.build_initramfs(OPTIONS.work, [os.path.join(OPTIONS.tools, 'driver_probe')], FILES)
-    VM = machine.Machine(OPTIONS.work, ARCHIVE, limit_s=1500)
-    try:
-        RESULTS = VM.results()
-    finally:
-        print(VM.text()[-2000:], flush=True)
-        VM.end()
+    ARCHIVE = machine.archive_of(OPTIONS, 'drivers', ('driver_probe',), FILES)
+    RESULTS, _ = machine.ran(OPTIONS, ARCHIVE, limit_s=1500)
     OPTIONS.rows = OPTIONS.work
     for tablet in NAMES:
         with open(os.path.join(OPTIONS.work, tablet + '.rows'), 'wb') as f:

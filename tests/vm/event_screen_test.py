@@ -6,7 +6,6 @@ usage: event_screen_test.py --penpose PROGRAM --tools FOLDER --work FOLDER
 Looks at what the screen shows and at how the program ends. Ends with status 77 (skipped) where QEMU, the kernel or Mesa's
 files are missing.
 """
-import argparse
 import json
 import os
 import subprocess
@@ -17,14 +16,10 @@ import unittest
 import evemu
 import machine
 import screen_picture
+from screen_picture import HEIGHT, WIDTH
 
-LIBRARIES = '/usr/lib/x86_64-linux-gnu/'
-LOADED = [LIBRARIES + name for name in ('libgbm.so.1', 'libdrm.so.2', 'libEGL.so.1', 'libEGL_mesa.so.0', 'libGL.so.1', 'libOpenGL.so.0',
-                                        'libGLX_mesa.so.0', 'dri/kms_swrast_dri.so')]
-LOADED += ['/usr/share/glvnd/egl_vendor.d/50_mesa.json', '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf']
-WIDTH, HEIGHT = 640, 480
-LEAST_SHADES = 1000
-LEAST_SKIN = 0.02
+LOADED = screen_picture.MESA + [screen_picture.FONT]
+
 # A stroke along a brow and one above it, in which the pen is unplugged, in parts of the window, and frames of each.
 BROW = ((0.395, 0.315), (0.460, 0.315), 45)
 STROKES = [BROW, ((0.395, 0.290), (0.460, 0.285), 40)]
@@ -37,18 +32,7 @@ def ink_on_brow(picture):
     return sum(max(picture[y][x]) - min(picture[y][x]) > 110 for x, y in places) / len(places)
 
 
-def shades_of(picture):
-    return {p for row in picture for p in row}
-
-
-class Screen(unittest.TestCase):
-    def test_the_head_is_seen_between_the_panels(self):
-        picture = screen_picture.read(SHOT)
-        self.assertEqual((len(picture[0]), len(picture)), (WIDTH, HEIGHT))
-        self.assertGreater(len(shades_of(picture)), LEAST_SHADES)
-        self.assertGreater(screen_picture.skin_in(picture), LEAST_SKIN)
-        self.assertLess(screen_picture.skin_in(picture), 0.5)
-
+class Screen(screen_picture.WindowOnScreen):
     def test_what_the_pen_of_an_event_device_draws_is_seen(self):
         self.assertLess(ink_on_brow(screen_picture.read(SHOT)), 0.1)
         self.assertGreater(ink_on_brow(screen_picture.read(DRAWN)), 0.7)
@@ -63,35 +47,23 @@ class Screen(unittest.TestCase):
         told = json.loads(subprocess.run([OPTIONS.penpose, 'replay', session, '--json'], capture_output=True, text=True, check=True).stdout)
         self.assertEqual(told['strokes'], len(STROKES))
 
-    def test_a_polite_end_is_an_orderly_one(self):
-        self.assertEqual(RESULTS['status'].decode().strip(), '0', RESULTS.get('app.txt', b'').decode())
-        self.assertIn('# penpose', RESULTS['drawn.session'].decode())
-
 
 def run_machine(options):
-    os.makedirs(options.work, exist_ok=True)
-    with open(os.path.join(machine.HERE, 'guest/event_screen.sh'), encoding='utf-8') as f:
-        files = {'/job.sh': f.read(), '/traces/pen.evemu': evemu.pen(evemu.drawn_states(STROKES))}
+    files = {'/traces/pen.evemu': evemu.pen(evemu.drawn_states(STROKES))}
     modules = 'virtio_pci virtio_console bochs hid hid-generic usbhid evdev uinput xhci-pci'.split()
-    programs = [options.penpose, os.path.join(options.tools, 'virtual_input')]
-    archive = machine.build_initramfs(options.work, programs, files, modules, LOADED)
+    archive = machine.archive_of(options, 'event_screen', ('virtual_input',), files, modules, LOADED)
     vm = machine.Machine(options.work, archive, memory=1536, processors=2,
                          devices=(f'bochs-display,xres={WIDTH},yres={HEIGHT}', 'usb-tablet,bus=usb.0,id=mouse', 'usb-kbd,bus=usb.0,id=keyboard'))
     shot, drawn = (os.path.join(options.work, name + '.ppm') for name in ('screen', 'drawn'))
 
     def look_until(path, is_there):
-        until = time.monotonic() + 300
-        while time.monotonic() < until:
-            time.sleep(2)
-            vm.command('screendump', filename=path)
-            if is_there(screen_picture.read(path)):
-                break
+        screen_picture.look_until(vm, path, is_there, 300)
         time.sleep(2)  # a picture that was being drawn is finished
         vm.command('screendump', filename=path)
 
     try:
         vm.wait_for_mark('started', 200)
-        look_until(shot, lambda picture: screen_picture.skin_in(picture) > LEAST_SKIN)
+        look_until(shot, screen_picture.shows_head)
         vm.command('device_del', id='mouse')
         vm.wait_for_mark('drawn', 200)
         look_until(drawn, lambda picture: ink_on_brow(picture) > 0.7)
@@ -102,10 +74,8 @@ def run_machine(options):
         print('\n'.join(l for l in vm.text().splitlines() if 'MARK' in l or 'GAVE UP' in l), flush=True)
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
-OPTIONS = parser.parse_args()
+OPTIONS = machine.parser_of('penpose', 'tools', 'work').parse_args()
 machine.skip_if_missing(LOADED)
 RESULTS, SHOT, DRAWN = run_machine(OPTIONS)
+Screen.results, Screen.shot = RESULTS, SHOT
 unittest.main(argv=[sys.argv[0], '-v'])

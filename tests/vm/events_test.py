@@ -5,7 +5,6 @@ elsewhere.
 
 usage: events_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--count REPORTS] [--keep FOLDER]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import csv
 import io
 import json
@@ -30,10 +29,7 @@ def run_machine():
              '/traces/small.hid': traces.header(traces.INK, 'Small pen', '3 1b96 0022') + traces.lines(traces.ink_reports(SMALL)),
              '/traces/pen.evemu': PEN, '/traces/pad.evemu': evemu.pad(), '/traces/keyboard.evemu': evemu.keyboard(), '/traces/fingers.evemu': evemu.fingers(),
              '/traces/short.evemu': short, '/traces/shared.evemu': shared, '/count': str(OPTIONS.count), '/etc/hosts': ''}
-    with open(os.path.join(machine.HERE, 'guest/events.sh'), encoding='utf-8') as f:
-        files['/job.sh'] = f.read()
-    programs = [OPTIONS.penpose] + [os.path.join(OPTIONS.tools, n) for n in ('virtual_tablet', 'virtual_input', 'pump_probe')]
-    archive = machine.build_initramfs(OPTIONS.work, programs, files, MODULES)
+    archive = machine.archive_of(OPTIONS, 'events', ('virtual_tablet', 'virtual_input', 'pump_probe'), files, MODULES)
     # One processor: the kernel's queue for event devices is short, and two that the host runs by turns lose what no machine would.
     vm = machine.Machine(OPTIONS.work, archive, limit_s=600 + OPTIONS.count // 50, memory=1024)
     try:
@@ -41,11 +37,7 @@ def run_machine():
     finally:
         vm.end()
         print('\n'.join(l for l in vm.text().splitlines() if 'STAGE' in l or 'GAVE UP' in l or 'no module' in l), flush=True)
-    if OPTIONS.keep:
-        os.makedirs(OPTIONS.keep, exist_ok=True)
-        for name, content in results.items():
-            with open(os.path.join(OPTIONS.keep, name), 'wb') as f:
-                f.write(content)
+    machine.keep(results, OPTIONS.keep)
     return results
 
 
@@ -69,14 +61,7 @@ def rate(content):
     return f'{len(took) * 1e6 / max(took[-1] - took[0], 1):.0f} reports a second on the average'
 
 
-class Events(unittest.TestCase):
-    def text(self, name):
-        self.assertIn(name, sorted(RESULTS), 'the machine left no such file')
-        return RESULTS[name].decode(errors='replace').strip()
-
-    def listed(self, name):
-        return json.loads(self.text(name + '.json'))['tablets']
-
+class Events(machine.LeftBehind):
     def assert_only_let_go(self, samples):
         """When a device is unplugged, the kernel lets go what is held: at most one state more, of a pen that is away."""
         self.assertLessEqual(len(samples), 1)
@@ -200,14 +185,11 @@ class Events(unittest.TestCase):
         self.assertEqual((here['strokes'], here['state']), (there['strokes'], there['state']))
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'tools', 'work')
 parser.add_argument('--count', type=int, default=60000)
 parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
 machine.skip_if_missing()
-os.makedirs(OPTIONS.work, exist_ok=True)
 PEN = evemu.pen(evemu.pen_states(OPTIONS.count))
-RESULTS = run_machine()
+RESULTS = Events.results = run_machine()
 unittest.main(argv=sys.argv[:1], verbosity=2)

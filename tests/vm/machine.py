@@ -1,4 +1,5 @@
 """A virtual machine of Debian's kernel and a minimal initramfs, started, talked to and ended by a test."""
+import argparse
 import glob
 import io
 import json
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import tarfile
 import time
+import unittest
 
 import kernel_image
 
@@ -182,3 +184,53 @@ class Machine:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
+
+
+def parser_of(*required):
+    """The options that tests have: these are texts and have to be given."""
+    parser = argparse.ArgumentParser()
+    for option in required:
+        parser.add_argument('--' + option, required=True)
+    return parser
+
+
+def archive_of(options, job, tools, files, *more):
+    """The initramfs of guest/JOB.sh with the program, where there is one, and these tools."""
+    os.makedirs(options.work, exist_ok=True)
+    with open(os.path.join(HERE, f'guest/{job}.sh'), encoding='utf-8') as f:
+        files = {**files, '/job.sh': f.read()}
+    programs = [options.penpose] if hasattr(options, 'penpose') else []
+    return build_initramfs(options.work, programs + [os.path.join(options.tools, tool) for tool in tools], files, *more)
+
+
+def ran(options, archive, **of_machine):
+    """What a machine that nobody talks to left, by name, and what its console said."""
+    vm = Machine(options.work, archive, **of_machine)
+    try:
+        results = vm.results()
+    finally:
+        console = vm.text()
+        print(console[-1500:], flush=True)
+        vm.end()
+    return results, console
+
+
+def keep(results, *folders):
+    """Writes them into each of these folders that is one."""
+    for folder in filter(None, folders):
+        os.makedirs(folder, exist_ok=True)
+        for name, content in results.items():
+            with open(os.path.join(folder, name), 'wb') as f:
+                f.write(content)
+
+
+class LeftBehind(unittest.TestCase):
+    """Tests of what a machine left, which `results` is to be set to."""
+    results = {}
+
+    def text(self, name):
+        self.assertIn(name, sorted(self.results), 'the machine left no such file')
+        return self.results[name].decode(errors='replace').strip()
+
+    def listed(self, name):
+        return json.loads(self.text(name + '.json'))['tablets']

@@ -33,14 +33,7 @@ int fail(const base::Error& error) {
   return 1;
 }
 
-decode::DeviceIdentity ink_pen() {
-  decode::DeviceIdentity identity;
-  identity.vendor = 0x1b96;
-  identity.product = 0x0020;
-  identity.name = "Burst pen";
-  identity.report_descriptor = tests::ink_descriptor();
-  return identity;
-}
+decode::DeviceIdentity ink_pen() { return tests::ink_device(0x0020, "Burst pen"); }
 
 /// The report with that number, recognisable by its position; the pen lifts for ten reports of every two hundred.
 tests::Report numbered(std::size_t number) {

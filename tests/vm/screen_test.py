@@ -10,7 +10,6 @@ The mouse is plugged in when the head is seen: no udev tells the program of it. 
 program ends. Ends with status 77 (skipped) where QEMU, the kernel or Mesa's
 files are missing.
 """
-import argparse
 import os
 import sys
 import time
@@ -18,17 +17,9 @@ import unittest
 
 import machine
 import screen_picture
+from screen_picture import FONT, HEIGHT, LEAST_SKIN, MESA, WIDTH
 
-LIBRARIES = '/usr/lib/x86_64-linux-gnu/'
-LOADED = [LIBRARIES + name for name in ('libgbm.so.1', 'libdrm.so.2', 'libEGL.so.1', 'libEGL_mesa.so.0', 'libGL.so.1', 'libOpenGL.so.0',
-                                        'libGLX_mesa.so.0', 'dri/kms_swrast_dri.so')]
-LOADED += ['/usr/share/glvnd/egl_vendor.d/50_mesa.json']
-
-FONT = '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf'
 OVERRIDES = {'gl': '', 'es': 'MESA_GL_VERSION_OVERRIDE=1.4 MESA_GLES_VERSION_OVERRIDE=2.0', 'cpu': '', 'frame_buffer': ''}
-WIDTH, HEIGHT = 640, 480
-LEAST_SHADES = 1000
-LEAST_SKIN = 0.02
 LEAST_MENU = 0.1
 
 
@@ -49,30 +40,16 @@ def press_until_the_menu_opens(vm, options, shot):
         for event in menu_pressed(options):
             vm.command('input-send-event', events=event)
             time.sleep(1)
-        until = time.monotonic() + 20
-        while time.monotonic() < until:
-            time.sleep(2)
-            vm.command('screendump', filename=shot + '.menu')
-            if changed_share(before, screen_picture.read(shot + '.menu')) > LEAST_MENU:
-                return
-
-
-def shades_of(picture):
-    return {p for row in picture for p in row}
+        screen_picture.look_until(vm, shot + '.menu', lambda after: changed_share(before, after) > LEAST_MENU, 20)
+        if changed_share(before, screen_picture.read(shot + '.menu')) > LEAST_MENU:
+            return
 
 
 def changed_share(before, after):
     return sum(a != b for row, other in zip(before, after) for a, b in zip(row, other)) / (WIDTH * HEIGHT)
 
 
-class Screen(unittest.TestCase):
-    def test_the_head_is_seen_between_the_panels(self):
-        picture = screen_picture.read(SHOT)
-        self.assertEqual((len(picture[0]), len(picture)), (WIDTH, HEIGHT))
-        self.assertGreater(len(shades_of(picture)), LEAST_SHADES)
-        self.assertGreater(screen_picture.skin_in(picture), LEAST_SKIN)
-        self.assertLess(screen_picture.skin_in(picture), 0.5)
-
+class Screen(screen_picture.WindowOnScreen):
     def test_a_press_on_the_menu_opens_it(self):
         before, after = screen_picture.read(SHOT), screen_picture.read(SHOT + '.menu')
         self.assertGreater(changed_share(before, after), LEAST_MENU)
@@ -81,14 +58,10 @@ class Screen(unittest.TestCase):
         if OPTIONS.way in ('cpu', 'frame_buffer'):
             self.assertLess(screen_picture.skin_in(screen_picture.read(SHOT + '.end')), LEAST_SKIN)
 
-    def test_a_polite_end_is_an_orderly_one(self):
-        self.assertEqual(RESULTS['status'].decode().strip(), '0', RESULTS.get('app.txt', b'').decode())
-        self.assertIn('# penpose', RESULTS['drawn.session'].decode())
-
 
 def loaded(options):
     """Files that the program loads by name while it runs."""
-    return [FONT] + (LOADED if options.way in ('gl', 'es') else [])
+    return [FONT] + (MESA if options.way in ('gl', 'es') else [])
 
 
 def run_machine(options):
@@ -102,12 +75,7 @@ def run_machine(options):
     shot = os.path.join(options.work, 'screen.ppm')
     try:
         vm.wait_for_mark('started', 200)
-        until = time.monotonic() + 180
-        while time.monotonic() < until:
-            time.sleep(2)
-            vm.command('screendump', filename=shot)
-            if screen_picture.skin_in(screen_picture.read(shot)) > LEAST_SKIN:
-                break
+        screen_picture.look_until(vm, shot, screen_picture.shows_head, 180)
         time.sleep(2)
         vm.command('screendump', filename=shot)
         vm.command('device_add', driver='usb-mouse', bus='usb.0', port='1', id='mouse')
@@ -123,11 +91,10 @@ def run_machine(options):
         vm.end()
 
 
-parser = argparse.ArgumentParser()
-parser.add_argument('--penpose', required=True)
-parser.add_argument('--work', required=True)
+parser = machine.parser_of('penpose', 'work')
 parser.add_argument('--way', choices=list(OVERRIDES), default='gl')
 OPTIONS = parser.parse_args()
 machine.skip_if_missing(loaded(OPTIONS))
 RESULTS, SHOT = run_machine(OPTIONS)
+Screen.results, Screen.shot = RESULTS, SHOT
 unittest.main(argv=[sys.argv[0], '-v'])

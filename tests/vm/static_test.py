@@ -4,9 +4,7 @@
 
 usage: static_test.py --penpose STATIC_PROGRAM --tools FOLDER --work FOLDER
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import json
-import os
 import sys
 import unittest
 
@@ -16,11 +14,7 @@ import traces
 TABLETS = {'ink': None, 'wacom_intuos4': 'wacom', 'uclogic': 'uclogic', 'hand': 'wacom'}
 
 
-class Static(unittest.TestCase):
-    def text(self, name):
-        self.assertIn(name, sorted(RESULTS), 'the machine left no such file')
-        return RESULTS[name].decode(errors='replace').strip()
-
+class Static(machine.LeftBehind):
     def test_nothing_is_plugged_in_at_first(self):
         self.assertEqual(self.text('none.txt').splitlines()[0], 'no tablet is plugged in')
 
@@ -49,22 +43,11 @@ class Static(unittest.TestCase):
         self.assertNotIn('Out of memory', self.text('dmesg.txt'))
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
-OPTIONS = parser.parse_args()
+OPTIONS = machine.parser_of('penpose', 'tools', 'work').parse_args()
 machine.skip_if_missing()
-os.makedirs(OPTIONS.work, exist_ok=True)
 SENT = {name: text for name, text in traces.made().items() if name in TABLETS}
 FILES = {f'/traces/{name}.hid': text for name, text in SENT.items()}
-with open(os.path.join(machine.HERE, 'guest/static.sh'), encoding='utf-8') as f:
-    FILES['/job.sh'] = f.read()
-ARCHIVE = machine.build_initramfs(OPTIONS.work, [OPTIONS.penpose, os.path.join(OPTIONS.tools, 'virtual_tablet')], FILES)
-VM = machine.Machine(OPTIONS.work, ARCHIVE, limit_s=800, processors=2)
-try:
-    RESULTS = VM.results()
-finally:
-    CONSOLE = VM.text()
-    print(CONSOLE[-1500:], flush=True)
-    VM.end()
+ARCHIVE = machine.archive_of(OPTIONS, 'static', ('virtual_tablet',), FILES)
+RESULTS, CONSOLE = machine.ran(OPTIONS, ARCHIVE, limit_s=800, processors=2)
+Static.results = RESULTS
 unittest.main(argv=sys.argv[:1], verbosity=2)

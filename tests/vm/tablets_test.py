@@ -4,10 +4,8 @@ out, and compares what `penpose` recorded inside with what was sent.
 
 usage: tablets_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--shared FOLDER] [--keep FOLDER]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import csv
 import io
-import json
 import os
 import subprocess
 import sys
@@ -18,7 +16,6 @@ import machine
 import traces
 from emulated_pen import Pen
 
-HERE = os.path.dirname(os.path.abspath(__file__))
 # Recordings of real tablets, where they are at hand; the first reports of their pen interface are enough.
 REAL = ['Wacom_Graphire3_056a_0013', 'Wacom_BambooFun_4x5_056a_0017', 'Wacom_Cintiq_22HD_056a_00FA', 'Wacom_Intuos_Pro_S_056a_0314']
 MOST_REPORTS = 1200
@@ -63,12 +60,8 @@ def strokes_of(samples):
 def run_machine(options):
     """Boots, plays and gives (results by name, traces by name, the pen)."""
     sent = all_traces(options.shared)
-    os.makedirs(options.work, exist_ok=True)
     files = {f'/traces/{name}.hid': text for name, text in sent.items()}
-    with open(os.path.join(HERE, 'guest/tablets.sh'), encoding='utf-8') as f:
-        files['/job.sh'] = f.read()
-    programs = [options.penpose] + [os.path.join(options.tools, n) for n in ('virtual_tablet', 'pump_probe')]
-    archive = machine.build_initramfs(options.work, programs, files)
+    archive = machine.archive_of(options, 'tablets', ('virtual_tablet', 'pump_probe'), files)
     vm = machine.Machine(options.work, archive, limit_s=600, processors=2)
     try:
         begin = time.monotonic()
@@ -94,22 +87,11 @@ def run_machine(options):
         print(f'ended after {time.monotonic() - begin:.1f} s', flush=True)
     finally:
         vm.end()
-    if options.keep:
-        os.makedirs(options.keep, exist_ok=True)
-        for name, content in results.items():
-            with open(os.path.join(options.keep, name), 'wb') as f:
-                f.write(content)
+    machine.keep(results, options.keep)
     return results, sent, pen
 
 
-class Tablets(unittest.TestCase):
-    def text(self, name):
-        self.assertIn(name, sorted(RESULTS), 'the machine left no such file')
-        return RESULTS[name].decode(errors='replace').strip()
-
-    def listed(self, name):
-        return json.loads(self.text(name + '.json'))['tablets']
-
+class Tablets(machine.LeftBehind):
     def part(self, recording, name):
         """What one trace's tablet sent, out of a recording of many."""
         text = self.text(recording + '.hid')
@@ -353,9 +335,7 @@ class Tablets(unittest.TestCase):
         self.assertNotIn('GAVE UP', CONSOLE)
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'tools', 'work')
 parser.add_argument('--shared')
 parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
@@ -364,4 +344,5 @@ RESULTS, SENT, PEN = run_machine(OPTIONS)
 with open(os.path.join(OPTIONS.work, 'console'), 'rb') as f:
     CONSOLE = f.read().decode(errors='replace')
 print(CONSOLE[-1500:])
+Tablets.results = RESULTS
 unittest.main(argv=sys.argv[:1], verbosity=2)

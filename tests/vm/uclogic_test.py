@@ -4,7 +4,6 @@ hidraw, beside what the driver's own event devices say of the same reports in th
 
 usage: uclogic_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--keep FOLDER]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import json
 import os
 import random
@@ -94,11 +93,7 @@ TABLETS = {
 }
 
 
-class Pads(unittest.TestCase):
-    def text(self, name):
-        self.assertIn(name, sorted(RESULTS), 'the machine left no such file')
-        return RESULTS[name].decode(errors='replace').strip()
-
+class Pads(machine.LeftBehind):
     def test_the_kernels_driver_has_them_and_hidraw_is_read(self):
         for name in TABLETS:
             with self.subTest(name):
@@ -165,29 +160,14 @@ class Pads(unittest.TestCase):
         self.assertNotIn('GAVE UP', CONSOLE)
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'tools', 'work')
 parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
 machine.skip_if_missing()
-os.makedirs(OPTIONS.work, exist_ok=True)
 FILES = {f'/traces/{name}.hid': text for name, (text, _) in TABLETS.items()}
 FILES['/traces/list'] = ''.join(f'{name} {options}\n' for name, (_, options) in TABLETS.items())
-with open(os.path.join(machine.HERE, 'guest/uclogic.sh'), encoding='utf-8') as f:
-    FILES['/job.sh'] = f.read()
-PROGRAMS = [OPTIONS.penpose] + [os.path.join(OPTIONS.tools, n) for n in ('driver_probe', 'pump_probe')]
-ARCHIVE = machine.build_initramfs(OPTIONS.work, PROGRAMS, FILES)
-VM = machine.Machine(OPTIONS.work, ARCHIVE, limit_s=600)
-try:
-    RESULTS = VM.results()
-finally:
-    CONSOLE = VM.text()
-    print(CONSOLE[-1500:], flush=True)
-    VM.end()
-for folder in filter(None, (OPTIONS.work, OPTIONS.keep)):
-    os.makedirs(folder, exist_ok=True)
-    for result, content in RESULTS.items():
-        with open(os.path.join(folder, result), 'wb') as f:
-            f.write(content)
+ARCHIVE = machine.archive_of(OPTIONS, 'uclogic', ('driver_probe', 'pump_probe'), FILES)
+RESULTS, CONSOLE = machine.ran(OPTIONS, ARCHIVE, limit_s=600)
+machine.keep(RESULTS, OPTIONS.work, OPTIONS.keep)
+Pads.results = RESULTS
 unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -4,7 +4,6 @@ captures and `penpose record` reads them, and what `penpose decode` prints of bo
 
 usage: usbmon_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--keep FOLDER]
 Exit status 77 where there is no virtual machine to be had."""
-import argparse
 import csv
 import io
 import json
@@ -78,28 +77,12 @@ class Captures(unittest.TestCase):
         self.assertNotIn('GAVE UP', CONSOLE)
 
 
-parser = argparse.ArgumentParser()
-for option in ('penpose', 'tools', 'work'):
-    parser.add_argument('--' + option, required=True)
+parser = machine.parser_of('penpose', 'tools', 'work')
 parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
 machine.skip_if_missing()
-os.makedirs(OPTIONS.work, exist_ok=True)
 FILES = {f'/traces/{name}.hid': text for name, text in SENT.items()}
-with open(os.path.join(machine.HERE, 'guest/usbmon.sh'), encoding='utf-8') as f:
-    FILES['/job.sh'] = f.read()
-PROGRAMS = [OPTIONS.penpose] + [os.path.join(OPTIONS.tools, n) for n in ('virtual_tablet', 'pump_probe', 'usb_capture')]
-ARCHIVE = machine.build_initramfs(OPTIONS.work, PROGRAMS, FILES, machine.MODULES + ['usbmon'])
-VM = machine.Machine(OPTIONS.work, ARCHIVE, limit_s=600)
-try:
-    RESULTS = VM.results()
-finally:
-    CONSOLE = VM.text()
-    print(CONSOLE[-1500:], flush=True)
-    VM.end()
-for folder in filter(None, (OPTIONS.work, OPTIONS.keep)):
-    os.makedirs(folder, exist_ok=True)
-    for result, content in RESULTS.items():
-        with open(os.path.join(folder, result), 'wb') as f:
-            f.write(content)
+ARCHIVE = machine.archive_of(OPTIONS, 'usbmon', ('virtual_tablet', 'pump_probe', 'usb_capture'), FILES, machine.MODULES + ['usbmon'])
+RESULTS, CONSOLE = machine.ran(OPTIONS, ARCHIVE, limit_s=600)
+machine.keep(RESULTS, OPTIONS.work, OPTIONS.keep)
 unittest.main(argv=sys.argv[:1], verbosity=2)

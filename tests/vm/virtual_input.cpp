@@ -8,62 +8,41 @@
 //   --keep FILE        stay plugged in until this file exists
 //   --place NAME       where it is plugged in
 // Prints how many frames were sent.
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <linux/uinput.h>
 #include <set>
 #include <string>
 #include <sys/ioctl.h>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
 #include "firmware_io/event/evemu_line.h"
 #include "tests/vm/pace.h"
+#include "tests/vm/replaying.h"
 
 namespace {
 
 using namespace penpose;
 
-/// A quarter of what the kernel keeps of such frames for a reader of an event device.
-constexpr int k_at_once = 4;
-
-struct Options {
-  std::string go;
-  std::string keep;
+struct Options : tests::Replaying {
   std::string place = "virtual/input0";
   std::set<long> pauses;
-  long pace_us = 1000;
-  long unplug_after = -1;
 };
 
 bool take_option(Options& options, const std::string& name, const std::string& value) {
-  if (name == "--go") {
-    options.go = value;
-  } else if (name == "--keep") {
-    options.keep = value;
-  } else if (name == "--place") {
+  if (name == "--place") {
     options.place = value;
-  } else if (name == "--pace-us") {
-    options.pace_us = std::strtol(value.c_str(), nullptr, 10);
   } else if (name == "--pause-after") {
     options.pauses.insert(std::strtol(value.c_str(), nullptr, 10));
-  } else if (name == "--unplug-after") {
-    options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
   } else {
-    return false;
+    return options.take(name, value);
   }
   return true;
-}
-
-void wait_for(const std::string& file) {
-  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 bool set_up(int file, const event::EventAxes& axes, const std::string& place) {
@@ -113,9 +92,9 @@ int play(const char* path, const Options& options) {
     return 1;
   }
   std::cerr << "plugged in" << std::endl;
-  wait_for(options.go);
+  tests::wait_for(options.go);
   long sent = 0;
-  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), tests::k_at_once);
   for (const auto& frame : frames) {
     if (sent == options.unplug_after) break;
     pace.wait();
@@ -124,11 +103,11 @@ int play(const char* path, const Options& options) {
     ++sent;
     if (!options.pauses.contains(sent)) continue;
     std::cout << "paused after " << sent << std::endl;
-    wait_for(options.go + "." + std::to_string(sent));
+    tests::wait_for(options.go + "." + std::to_string(sent));
     pace.begin();
   }
   std::cout << "sent " << sent << std::endl;
-  wait_for(options.keep);
+  tests::wait_for(options.keep);
   ::ioctl(file, UI_DEV_DESTROY);
   ::close(file);
   std::cerr << "unplugged" << std::endl;

@@ -11,7 +11,6 @@
 // Prints how many reports were sent.
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <thread>
@@ -19,41 +18,16 @@
 #include "replay/trace/trace_source.h"
 #include "tests/support/shared_data.h"
 #include "tests/vm/pace.h"
+#include "tests/vm/replaying.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {
 
 using namespace penpose;
 
-/// A quarter of what the kernel keeps of such a pen for a reader of its event device.
-constexpr int k_at_once = 4;
-
-struct Options {
-  std::string go;
-  std::string keep;
-  long pace_us = 1000;
-  long unplug_after = -1;
+struct Options : tests::Replaying {
   tests::UsbBehaviour usb;
 };
-
-bool take_option(Options& options, const std::string& name, const std::string& value) {
-  if (name == "--go") {
-    options.go = value;
-  } else if (name == "--keep") {
-    options.keep = value;
-  } else if (name == "--pace-us") {
-    options.pace_us = std::strtol(value.c_str(), nullptr, 10);
-  } else if (name == "--unplug-after") {
-    options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
-  } else {
-    return tests::take_usb_option(options.usb, name, value);
-  }
-  return true;
-}
-
-void wait_for(const std::string& file) {
-  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-}
 
 int fail(const base::Error& error) {
   std::cerr << "virtual_tablet: " << error.line() << '\n';
@@ -68,9 +42,9 @@ int play(const std::string& kind, const std::string& trace, const Options& optio
       kind == "usb" ? tests::make_usb_device(source.devices(), options.usb) : tests::make_uhid_device(source.devices());
   if (!device) return fail(device.error());
   std::cerr << "plugged in" << std::endl;
-  wait_for(options.go);
+  tests::wait_for(options.go);
   long sent = 0;
-  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), tests::k_at_once);
   for (auto report = source.next(); report && report->has_value(); report = source.next()) {
     if (options.unplug_after >= 0 && sent >= options.unplug_after) break;
     pace.wait();
@@ -83,7 +57,7 @@ int play(const std::string& kind, const std::string& trace, const Options& optio
   // What was sent last is still on its way through the cable; /dev/uhid has none.
   if (kind == "usb") std::this_thread::sleep_for(std::chrono::milliseconds(300));
   std::cout << "sent " << sent << std::endl;
-  wait_for(options.keep);
+  tests::wait_for(options.keep);
   (*device)->unplug();
   std::cerr << "unplugged" << std::endl;
   // Closing the server's end of a virtual USB device may wait for the kernel for good; the end of the machine frees
@@ -97,7 +71,7 @@ int main(int argc, char** argv) {
   if (argc < 3) return 2;
   Options options;
   for (int i = 3; i + 1 < argc; i += 2) {
-    if (!take_option(options, argv[i], argv[i + 1])) return 2;
+    if (!options.take(argv[i], argv[i + 1]) && !tests::take_usb_option(options.usb, argv[i], argv[i + 1])) return 2;
   }
   return play(argv[1], argv[2], options);
 }

@@ -23,9 +23,7 @@ constexpr double k_tip_s = 0.55;
 /// Px that it may tremble by meanwhile.
 constexpr float k_still_px = 3;
 /// So much of a window's width and height is the canvas at least, and so many targets, as far as there is room.
-constexpr double k_least_canvas = 0.35;
-constexpr double k_least_targets_across = 7;
-constexpr double k_least_targets_down = 4.5;
+constexpr double k_least_canvas = 0.35, k_least_targets_across = 7, k_least_targets_down = 4.5;
 /// So far, in targets, a press may tremble before it is a drag.
 constexpr double k_drag_slack = 0.25;
 constexpr int k_settle_frames = 3;

@@ -6,9 +6,8 @@ using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
 namespace {
 
 bool is_constraint(std::int32_t role) {
-  if (role != PENPOSE_REFERENCE && role != PENPOSE_CONSTRAINT)
-    fail_argument("there is no such role", "role", "give PENPOSE_REFERENCE or PENPOSE_CONSTRAINT");
-  return role == PENPOSE_CONSTRAINT;
+  return meaning_of<bool>(role, {{PENPOSE_REFERENCE, false}, {PENPOSE_CONSTRAINT, true}}, "role",
+                          "give PENPOSE_REFERENCE or PENPOSE_CONSTRAINT");
 }
 
 void place(character::Character& one, std::span<const mesh::MeshPoint> points, bool constraint, std::uint32_t& curve) {
@@ -16,16 +15,12 @@ void place(character::Character& one, std::span<const mesh::MeshPoint> points, b
 }
 
 character::Preset preset_of(std::int32_t preset) {
-  switch (preset) {
-    case PENPOSE_PRESET_DEFAULT:
-      return character::Preset::meant;
-    case PENPOSE_PRESET_EXACT:
-      return character::Preset::exact;
-    case PENPOSE_PRESET_PAPER:
-      return character::Preset::paper;
-    default:
-      fail_argument("there is no such preset", "preset", "give one of PENPOSE_PRESET_...");
-  }
+  using character::Preset;
+  return meaning_of<Preset>(preset,
+                            {{PENPOSE_PRESET_DEFAULT, Preset::meant},
+                             {PENPOSE_PRESET_EXACT, Preset::exact},
+                             {PENPOSE_PRESET_PAPER, Preset::paper}},
+                            "preset", "give one of PENPOSE_PRESET_...");
 }
 
 }  // namespace

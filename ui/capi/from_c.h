@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/document/drawing/pose_curve.h"
@@ -19,6 +22,16 @@ namespace penpose::capi {
 [[nodiscard]] std::vector<geometry::PxPoint> line_of(const double* px, std::size_t count, const char* name);
 /// `count` points of three numbers each.
 [[nodiscard]] std::vector<geometry::ModelPoint> points_of(const double* xyz, std::size_t count, const char* name);
+
+/// What a number of the interface means. Ends the call where it is none of them; `what` names them.
+template <typename T>
+[[nodiscard]] T meaning_of(std::int32_t number, std::initializer_list<std::pair<std::int32_t, T>> known,
+                           const char* what, const char* remedy) {
+  for (const auto& [one, meaning] : known) {
+    if (one == number) return meaning;
+  }
+  fail_argument(std::string("there is no such ") + what, what, remedy);
+}
 
 /// Writes a list into a caller's array: its length always, its entries where they fit. Ends the call where they do not
 /// and any room was given, or some was asked for.

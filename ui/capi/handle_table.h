@@ -6,16 +6,15 @@
 #include <shared_mutex>
 #include <vector>
 
+#include "core/base/interface.h"
+
 namespace penpose::capi {
 
 enum class Kind : std::uint8_t { character = 1, live = 2, tablet = 3, animation = 4 };
 
 /// What a handle names. Calls with one handle wait for each other.
-struct Object {
+struct Object : base::Interface {
   explicit Object(Kind of) : kind(of) {}
-  virtual ~Object() = default;
-  Object(const Object&) = delete;
-  Object& operator=(const Object&) = delete;
 
   const Kind kind;
   std::mutex busy;

@@ -6,16 +6,12 @@ using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
 namespace {
 
 articulation::Mode mode_of(std::int32_t mode) {
-  switch (mode) {
-    case PENPOSE_MODE_AUTO:
-      return articulation::Mode::automatic;
-    case PENPOSE_MODE_TRANSLATE:
-      return articulation::Mode::translate;
-    case PENPOSE_MODE_ROTATE:
-      return articulation::Mode::rotate;
-    default:
-      fail_argument("there is no such mode", "mode", "give one of PENPOSE_MODE_...");
-  }
+  using articulation::Mode;
+  return meaning_of<Mode>(mode,
+                          {{PENPOSE_MODE_AUTO, Mode::automatic},
+                           {PENPOSE_MODE_TRANSLATE, Mode::translate},
+                           {PENPOSE_MODE_ROTATE, Mode::rotate}},
+                          "mode", "give one of PENPOSE_MODE_...");
 }
 
 articulation::Sketch sketch_of(const penpose_sketch& sketch) {

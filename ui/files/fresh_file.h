@@ -5,17 +5,17 @@
 #include <sys/types.h>
 #include <utility>
 
+#include "core/base/interface.h"
+
 namespace penpose::files {
 
 /// A file that appears under its name only when it is complete. Until then it is unnamed where the file system allows
 /// that, else it has an unpredictable temporary name. A program that is killed meanwhile may leave such a file behind;
 /// the next one to write into the folder removes it.
-class FreshFile {
+class FreshFile : base::Fixed {
  public:
   /// -1 in `descriptor()` with errno where the folder cannot be written to.
   FreshFile(const std::string& path, mode_t mode);
-  FreshFile(const FreshFile&) = delete;
-  FreshFile& operator=(const FreshFile&) = delete;
   /// Removes the file unless place() succeeded.
   ~FreshFile();
 

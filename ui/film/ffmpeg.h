@@ -7,6 +7,7 @@
 #include <sys/types.h>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 
 namespace penpose::film {
@@ -24,12 +25,10 @@ using Stop = std::function<bool()>;
 [[nodiscard]] base::Error no_ffmpeg();
 
 /// A file in memory that only programs with its descriptor see.
-class MemoryFile {
+class MemoryFile : base::Fixed {
  public:
   MemoryFile();
   ~MemoryFile();
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
   [[nodiscard]] int descriptor() const { return file_; }
   [[nodiscard]] base::Status fill(std::span<const std::uint8_t> bytes) const;
 

@@ -20,16 +20,9 @@ std::string quoted(std::string_view text) {
 }
 
 std::string offer(const OptionRow& row) {
-  switch (row.completes) {
-    case Completes::choices:
-      return " -x -a " + quoted(base::joined(row.choices, " "));
-    case Completes::folders:
-      return " -x -a '(__fish_complete_directories)'";
-    case Completes::nothing:
-      return " -x";
-    case Completes::files:
-      break;
-  }
+  if (row.completes == Completes::choices) return " -x -a " + quoted(base::joined(row.choices, " "));
+  if (row.completes == Completes::folders) return " -x -a '(__fish_complete_directories)'";
+  if (row.completes == Completes::nothing) return " -x";
   if (row.extensions.empty()) return " -r -F";
   return " -k -x -a '(__penpose_files " + base::joined(row.extensions, " ") + ")'";
 }

@@ -21,16 +21,9 @@ std::string quoted(std::string_view text, std::string_view special = "[]:\\") {
 }
 
 std::string action(const OptionRow& row) {
-  switch (row.completes) {
-    case Completes::choices:
-      return "(" + base::joined(row.choices, " ") + ")";
-    case Completes::folders:
-      return "_files -/";
-    case Completes::nothing:
-      return " ";
-    case Completes::files:
-      break;
-  }
+  if (row.completes == Completes::choices) return "(" + base::joined(row.choices, " ") + ")";
+  if (row.completes == Completes::folders) return "_files -/";
+  if (row.completes == Completes::nothing) return " ";
   if (row.extensions.empty()) return "_files";
   // One ending in brackets would be read as qualifiers.
   if (row.extensions.size() == 1) return "_files -g \"*" + row.extensions.front() + "\"";

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interface.h"
+
 namespace penpose::portal {
 
 /// Files of some extensions, as the system's dialog offers them.
@@ -36,13 +38,8 @@ struct FileAnswer {
 };
 
 /// The system's dialogs of files. One is open at a time, and nobody waits for it.
-class FilePortal {
+class FilePortal : public base::Interface {
  public:
-  FilePortal() = default;
-  virtual ~FilePortal() = default;
-  FilePortal(const FilePortal&) = delete;
-  FilePortal& operator=(const FilePortal&) = delete;
-
   /// Asks, in place of what was asked before. Returns at once.
   virtual void ask(const FileQuestion& question) = 0;
   /// The answer, once; `waits` until there is one and afterwards.

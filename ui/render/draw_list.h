@@ -29,9 +29,7 @@ class SceneTracker {
  private:
   std::size_t vertices_ = 0;
   std::size_t triangles_ = 0;
-  std::uint64_t shape_ = 0;
-  std::uint64_t pose_ = 0;
-  std::uint64_t overlay_ = 0;
+  std::uint64_t shape_ = 0, pose_ = 0, overlay_ = 0;
   bool overlay_is_clear_ = false;
   bool clay_ = false;
   bool edges_ = false;

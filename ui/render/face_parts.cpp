@@ -15,14 +15,8 @@ namespace {
 using geometry::ModelPoint;
 using geometry::ModelVector;
 
-constexpr double k_sphere_rms = 0.06;
-constexpr double k_smallest_eye = 0.01;
-constexpr double k_largest_eye = 0.12;
-constexpr double k_same_size = 0.1;
-constexpr double k_cover_gap = 0.2;
-constexpr double k_cover_share = 0.85;
-constexpr double k_lash_gap = 0.5;
-constexpr double k_largest_tooth = 0.1;
+constexpr double k_sphere_rms = 0.06, k_smallest_eye = 0.01, k_largest_eye = 0.12, k_same_size = 0.1, k_cover_gap = 0.2;
+constexpr double k_cover_share = 0.85, k_lash_gap = 0.5, k_largest_tooth = 0.1;
 constexpr std::size_t k_fewest_teeth = 8;
 constexpr double k_bulge = 1.025;
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
 #include "ui/render/behind.h"
@@ -24,12 +25,8 @@ enum class DrawWay : std::uint8_t { gl, es, cpu };
 [[nodiscard]] std::vector<DrawWay> built_in_ways();
 
 /// Draws scenes. One thread only: the one that made it.
-class Renderer {
+class Renderer : public base::Interface {
  public:
-  virtual ~Renderer() = default;
-  Renderer(const Renderer&) = delete;
-  Renderer& operator=(const Renderer&) = delete;
-
   /// The picture that the camera's viewport shows. Works for models of any size and unit. Errors: arrays that do not
   /// fit each other, or a picture larger than the driver can draw.
   virtual base::Result<Image> render(const Scene& scene, const geometry::Camera& camera) = 0;
@@ -48,9 +45,6 @@ class Renderer {
   [[nodiscard]] virtual std::vector<std::string> take_undrawn() = 0;
   /// Name and version of what draws, for messages.
   [[nodiscard]] virtual std::string driver() const = 0;
-
- protected:
-  Renderer() = default;
 };
 
 /// What draws by a way without a window, or why nothing does.

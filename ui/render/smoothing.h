@@ -27,9 +27,7 @@ class PictureSource {
   [[nodiscard]] bool numbered() const { return shape_ != 0 && pose_ != 0; }
 
  private:
-  std::uint64_t shape_ = 0;
-  std::uint64_t pose_ = 0;
-  std::uint64_t overlay_ = 0;
+  std::uint64_t shape_ = 0, pose_ = 0, overlay_ = 0;
   bool has_overlay_ = false;
   bool wireframe_ = false;
   bool clay_ = false;

@@ -54,20 +54,27 @@ std::vector<document::NamedValue> named_values(const Request& request) {
   return out;
 }
 
+/// One of three words, the first where the request has none.
+template <typename T>
+T choice(const Request& request, const std::string& member, const std::array<std::pair<std::string, T>, 3>& words) {
+  const std::string word = request.text_or(member.c_str(), words[0].first);
+  for (const auto& [one, meaning] : words) {
+    if (one == word) return meaning;
+  }
+  refuse("there is no such " + member, request.at(member.c_str()),
+         "give " + words[0].first + ", " + words[1].first + " or " + words[2].first);
+}
+
 articulation::Mode mode_of(const Request& request) {
-  const std::string mode = request.text_or("mode", "auto");
-  if (mode == "auto") return articulation::Mode::automatic;
-  if (mode == "translate") return articulation::Mode::translate;
-  if (mode == "rotate") return articulation::Mode::rotate;
-  refuse("there is no such mode", request.at("mode"), "give auto, translate or rotate");
+  using articulation::Mode;
+  return choice<Mode>(request, "mode",
+                      {{{"auto", Mode::automatic}, {"translate", Mode::translate}, {"rotate", Mode::rotate}}});
 }
 
 character::Preset preset_of(const Request& request) {
-  const std::string preset = request.text_or("preset", "default");
-  if (preset == "default") return character::Preset::meant;
-  if (preset == "exact") return character::Preset::exact;
-  if (preset == "paper") return character::Preset::paper;
-  refuse("there is no such preset", request.at("preset"), "give default, exact or paper");
+  using character::Preset;
+  return choice<Preset>(request, "preset",
+                        {{{"default", Preset::meant}, {"exact", Preset::exact}, {"paper", Preset::paper}}});
 }
 
 void done(const base::Status& status) {

@@ -14,8 +14,7 @@ using geometry::PxPoint;
 
 /// A picture in shades of grey: rows from the top, one byte a pixel.
 struct GreyImage {
-  int width = 0;
-  int height = 0;
+  int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
 };
 

@@ -286,10 +286,7 @@ struct FrameSolver::State {
   }
 };
 
-FrameSolver::FrameSolver(std::unique_ptr<State> state) : state_(std::move(state)) {}
-FrameSolver::~FrameSolver() = default;
-FrameSolver::FrameSolver(FrameSolver&&) noexcept = default;
-FrameSolver& FrameSolver::operator=(FrameSolver&&) noexcept = default;
+FrameSolver::FrameSolver(base::Hidden<State> state) : state_(std::move(state)) {}
 
 base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transfer, std::vector<std::size_t> free,
                                             rig::Pose rest, const geometry::Camera& camera,
@@ -301,7 +298,7 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   problem.free = std::move(free);
   problem.start = std::move(rest);
   if (auto status = posing::check_problem(rig, problem); !status) return status.error();
-  auto state = std::make_unique<State>(rig, std::move(transfer), camera, problem);
+  auto state = base::make_hidden<State>(rig, std::move(transfer), camera, problem);
   State& s = *state;
   s.options = options;
   s.pose = s.at_rest = problem.start;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/animation/points/curve_transfer.h"
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
 #include "core/rig/rig.h"
@@ -53,9 +53,6 @@ class FrameSolver {
   /// Errors: those of posing::check_problem. The rig must outlive it. `free`: ascending.
   static base::Result<FrameSolver> make(const rig::Rig& rig, Transfer transfer, std::vector<std::size_t> free,
                                         rig::Pose rest, const geometry::Camera& camera, const FrameOptions& options);
-  ~FrameSolver();
-  FrameSolver(FrameSolver&&) noexcept;
-  FrameSolver& operator=(FrameSolver&&) noexcept;
 
   /// Solves a frame with a face, given its offsets, the doubt about its head (StillTrack), and its trust, 0..1. A frame
   /// of little trust moves little.
@@ -69,8 +66,8 @@ class FrameSolver {
 
  private:
   struct State;
-  explicit FrameSolver(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit FrameSolver(base::Hidden<State> state);
+  base::Hidden<State> state_;
 };
 
 }  // namespace penpose::animation

@@ -13,8 +13,7 @@ constexpr double k_below = 0.995;
 /// ... and farther than that at a time, which sweeps need less of.
 constexpr double k_over = 1.3;
 /// Steps by which a rotation is found from the one before.
-constexpr int k_first_steps = 24;
-constexpr int k_relaxation_steps = 3;
+constexpr int k_first_steps = 24, k_relaxation_steps = 3;
 /// How much more the edges within a fold say than those around it.
 constexpr double k_stiff = 25;
 

@@ -114,19 +114,10 @@ CurveSkin CurveSkin::subset(std::span<const std::uint32_t> places) const {
   CurveSkin some;
   some.motion_ = motion_;
   some.surface_ = surface_;
-  some.rests_ = chosen(rests_, places);
-  some.levels_ = chosen(levels_, places);
-  some.columns_ = chosen(columns_, places);
-  some.segments_ = chosen(segments_, places);
-  some.fractions_ = chosen(fractions_, places);
-  some.weights_ = chosen(weights_, places);
-  some.turns_ = chosen(turns_, places);
-  some.offsets_ = chosen(offsets_, places);
-  some.to_rest_ = chosen(to_rest_, places);
-  some.bases_ = chosen(bases_, places);
-  some.mores_ = chosen(mores_, places);
-  some.lesses_ = chosen(lesses_, places);
-  some.slides_ = chosen(slides_, places);
+  const auto choose = [&](auto... lists) { ((some.*lists = chosen(this->*lists, places)), ...); };
+  choose(&CurveSkin::rests_, &CurveSkin::levels_, &CurveSkin::columns_, &CurveSkin::segments_, &CurveSkin::fractions_,
+         &CurveSkin::weights_, &CurveSkin::turns_, &CurveSkin::offsets_, &CurveSkin::to_rest_, &CurveSkin::bases_,
+         &CurveSkin::mores_, &CurveSkin::lesses_, &CurveSkin::slides_);
   for (const BetweenKnot& one : betweens_) some.betweens_.push_back({one.knot, chosen(one.differences, places)});
   if (some.bases_.empty()) some.mark_segments();
   return some;

@@ -18,22 +18,17 @@ namespace {
 /// A piece with fewer vertices has no shape that could be told.
 constexpr std::size_t k_fewest = 16;
 /// A vertex this near to the sphere is on it, as a share of the radius; as many of all have to be.
-constexpr double k_on_ball = 0.04;
-constexpr double k_share_on_ball = 0.6;
+constexpr double k_on_ball = 0.04, k_share_on_ball = 0.6;
 /// The least extent of a ball along any axis, in radii: a half of one has 1.
 constexpr double k_least_extent = 0.7;
 /// Where a curve lies that moves over a ball, in radii from its centre; as many of its points as that.
-constexpr double k_lowest = 0.93;
-constexpr double k_highest = 1.35;
-constexpr double k_nearest = 1.2;
-constexpr double k_most_over = 0.9;
+constexpr double k_lowest = 0.93, k_highest = 1.35, k_nearest = 1.2, k_most_over = 0.9;
 /// How far the target may pass beside the ball as the camera sees it, in radii.
 constexpr double k_beside = 0.03;
 /// Vertices farther from each other than this, counted from the centre, are no true sphere.
 constexpr double k_true = 0.008;
 /// What lies farther out or in is no part of a ball, such as the nerve behind an eye, or an iris set in.
-constexpr double k_highest_rise = 1.25;
-constexpr double k_lowest_rise = 0.85;
+constexpr double k_highest_rise = 1.25, k_lowest_rise = 0.85;
 
 struct Piece {
   std::size_t vertices = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/geometry/space.h"
 
 // The interface that every kind of surface implements (surface.h).
@@ -22,13 +23,8 @@ using geometry::ModelPoint;
 using geometry::ModelVector;
 
 /// A surface of one model that moved points keep their distance from (method, section 3, "Surface constraint").
-class HeldSurface {
+class HeldSurface : public base::Interface {
  public:
-  HeldSurface() = default;
-  HeldSurface(const HeldSurface&) = delete;
-  HeldSurface& operator=(const HeldSurface&) = delete;
-  virtual ~HeldSurface() = default;
-
   /// True for a vertex of the surface itself.
   [[nodiscard]] virtual bool consists_of(std::uint32_t vertex, const ModelPoint& rest) const = 0;
   /// The distance to keep of a point at rest.

@@ -14,10 +14,7 @@
 
 namespace penpose::document {
 
-ApplyWorkspace::ApplyWorkspace() : parts_(std::make_unique<ApplyParts>()) {}
-ApplyWorkspace::~ApplyWorkspace() = default;
-ApplyWorkspace::ApplyWorkspace(ApplyWorkspace&&) noexcept = default;
-ApplyWorkspace& ApplyWorkspace::operator=(ApplyWorkspace&&) noexcept = default;
+ApplyWorkspace::ApplyWorkspace() : parts_(base::make_hidden<ApplyParts>()) {}
 
 const geometry::TriangleBvh& ApplyParts::surface_of(const Document& document) {
   const Model& model = *document.model;

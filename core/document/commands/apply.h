@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
@@ -16,13 +16,10 @@ namespace penpose::document {
 class ApplyWorkspace {
  public:
   ApplyWorkspace();
-  ~ApplyWorkspace();
-  ApplyWorkspace(ApplyWorkspace&&) noexcept;
-  ApplyWorkspace& operator=(ApplyWorkspace&&) noexcept;
   [[nodiscard]] ApplyParts& parts() { return *parts_; }
 
  private:
-  std::unique_ptr<ApplyParts> parts_;
+  base::Hidden<ApplyParts> parts_;
 };
 
 /// The document after a command. The same document and command give the same bits on any machine (method, section 5).

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,6 +63,14 @@ using Parts = ApplyParts;
                                                   const char* member);
 [[nodiscard]] base::Result<std::vector<std::size_t>> numbers_of(const Document& document,
                                                                 const std::vector<std::string>& names);
+
+/// Takes the first that is called so out of a list; false where none is.
+[[nodiscard]] bool erase_named(auto& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one->name == name; });
+  if (found == list.end()) return false;
+  list.erase(found);
+  return true;
+}
 
 /// Errors: the value is none of the parameter's.
 [[nodiscard]] std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string_view>
 
 #include "core/base/members.h"
@@ -19,6 +21,20 @@ using Changed = base::Result<Document>;
 struct Called {
   std::string_view name;   ///< in files
   std::string_view words;  ///< in the list of what was done
+};
+
+/// A text that types can be made of.
+template <std::size_t size>
+struct Text {
+  char letters[size]{};
+  consteval Text(const char (&text)[size]) { std::copy_n(text, size, letters); }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] constexpr std::string_view view() const { return {letters, size - 1}; }
+};
+
+/// A command that has no other members than these.
+template <typename Members, Text name, Text words>
+struct Plain : Members {
+  static constexpr Called k_called{name.view(), words.view()};
 };
 
 /// Commands are the same where all their members are.

@@ -113,16 +113,9 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
   if (*skeleton) {
     auto made = make_model(model.mesh, model.shapes, std::move(skeleton).value(), model.deformers, model.corrections);
     if (!made) return made;
-    made->materials = std::move(model.materials);
+    move_rest(model, *made);
     made->pose = std::move(model.pose);
-    made->curves = std::move(model.curves);
-    made->animations = std::move(model.animations);
     made->expressions = std::move(model.expressions);
-    made->humanoid = model.humanoid;
-    made->front_yaw_degrees = model.front_yaw_degrees;
-    made->look = std::move(model.look);
-    made->source = std::move(model.source);
-    made->notes = std::move(model.notes);
     model = std::move(made).value();
   }
   const Keys keys = make_keys(times_s);

@@ -8,8 +8,7 @@
 namespace penpose::document {
 namespace {
 
-constexpr int k_cells = 96;
-constexpr int k_search_halvings = 48;
+constexpr int k_cells = 96, k_search_halvings = 48;
 /// The search begins at springs that are hardly seen to lag.
 constexpr double k_least_period_frames = 0.5;
 /// The golden section.

@@ -54,8 +54,7 @@ struct ControlKey {
   KeyKind kind = KeyKind::smooth;
   // Slopes of a free or overshooting key, in units of the control a second: of what leads to the key, and of what
   // leaves it.
-  double in = 0;
-  double out = 0;
+  double in = 0, out = 0;
   friend bool operator==(const ControlKey&, const ControlKey&) = default;
 };
 

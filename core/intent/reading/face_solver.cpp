@@ -21,8 +21,7 @@ constexpr double k_offered = 12.0;
 /// What leaves more than this of them is no way that anybody could have meant.
 constexpr double k_any_way = 0.97;
 /// Rounds of matching a choice on its own, for linear rigs and others.
-constexpr int k_matches = 2;
-constexpr int k_general_matches = 4;
+constexpr int k_matches = 2, k_general_matches = 4;
 /// A window that leaves nothing out.
 constexpr double k_however_far = 1e9;
 /// So many choices of a selection are looked through for other readings.

@@ -27,8 +27,7 @@ constexpr double k_least_charge = 4.0;  ///< for hinges that bend so and bones t
 constexpr double k_twist_charge = 8.0;
 /// A first guess of it, in half circles, and what it costs where it leads away from the eye: limbs that lean forward
 /// are drawn from the front.
-constexpr double k_lean = 0.22;
-constexpr double k_away = 3.0;
+constexpr double k_lean = 0.22, k_away = 3.0;
 /// Turning the joint that a drawn chain begins with swings the limbs that hang on it, too: the legs on the hips.
 constexpr double k_others_charge = 20.0;
 /// Views whose directions differ by less are one (cosine).

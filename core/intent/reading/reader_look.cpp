@@ -18,8 +18,7 @@ constexpr double k_ray = 0.02;
 constexpr std::size_t k_overshoot_rows = 2;
 /// With as many squares as this an overshoot of the curve as it is tells where its end should be; that end then slides
 /// by so much of what ends do.
-constexpr double k_overshoot_tells = 3.0;
-constexpr double k_told_end = 0.35;
+constexpr double k_overshoot_tells = 3.0, k_told_end = 0.35;
 
 PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/posing/curve_system.h"
-
 namespace penpose::intent {
 namespace {
 
@@ -18,12 +16,7 @@ constexpr double k_stands = 0.4;
 std::optional<KnownCurve> still_points(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
   const std::size_t n = curve.stays.size();
   if (n == 0) return std::nullopt;
-  posing::PoseProblem alone;
-  alone.pairs.push_back({curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), {}});
-  alone.start = pose;
-  posing::CurveSystem system(rig, alone);
-  std::vector<ModelPoint> at(system.point_count());
-  system.positions(pose, at);
+  const std::vector<ModelPoint> at = reference_at(rig, pose, curve);
   std::vector<double> along(n, 0.0);
   for (std::size_t i = 1; i < n; ++i) along[i] = along[i - 1] + geometry::distance(at[i - 1], at[i]);
   const double near = k_gives_way * along.back();

@@ -13,10 +13,7 @@ namespace {
 /// One unit of a turn's variable, radians.
 constexpr double k_half_circle = base::k_pi;
 /// What squares cost: of a share of a range, of half circles of a bend in the picture, out of it and of a twist.
-constexpr double k_share_stiffness = 3.0;
-constexpr double k_bend = 0.5;
-constexpr double k_out_of_picture = 200.0;
-constexpr double k_twist_cost = 300.0;
+constexpr double k_share_stiffness = 3.0, k_bend = 0.5, k_out_of_picture = 200.0, k_twist_cost = 300.0;
 /// A joint that turns about other axes than the view's direction, too, costs so much more.
 constexpr double k_other_axes = 4.0;
 /// A control that one side alone moves costs so much more than both sides together.

@@ -13,13 +13,11 @@ constexpr double k_reach = 4.0;
 /// A point farther from every contour is none of theirs, px.
 constexpr double k_farthest_px = 90.0;
 /// Directions are alike from this cosine on; a right angle counts as so far away, px.
-constexpr double k_like = 0.2;
-constexpr double k_turned_px = 30.0;
+constexpr double k_like = 0.2, k_turned_px = 30.0;
 /// The most places of a point that are thought of.
 constexpr std::size_t k_most_places = 6;
 /// What it costs to leave a contour, and to go on along another one where the first ends.
-constexpr double k_leave = 3.0;
-constexpr double k_other = 0.5;
+constexpr double k_leave = 3.0, k_other = 0.5;
 /// What it costs to go along a contour by twice what was drawn.
 constexpr double k_stretch = 0.4;
 

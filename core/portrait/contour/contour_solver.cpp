@@ -12,22 +12,17 @@ namespace {
 
 constexpr std::size_t k_sheet = SheetPlace::k_widths.size();
 /// Rounds of the sheet alone, of guesses, and of the reading that is taken.
-constexpr int k_sheet_rounds = 8;
-constexpr int k_guess_rounds = 4;
-constexpr int k_chosen_rounds = 2;
-constexpr int k_last_rounds = 8;
+constexpr int k_sheet_rounds = 8, k_guess_rounds = 4, k_chosen_rounds = 2, k_last_rounds = 8;
 /// Guesses that are refined, each of another unit, steps by one unit, and units at most.
 constexpr std::size_t k_guesses = 5;
 constexpr int k_steps = 6;
 constexpr std::size_t k_most_units = 6;
 /// A turn changes by at most so much in one round, half circles; a share of a range by so much.
-constexpr double k_trust = 0.15;
-constexpr double k_gain = 1e-6;
+constexpr double k_trust = 0.15, k_gain = 1e-6;
 /// What stays where other lines put it is held like this many looks, each point.
 constexpr double k_kept_looks = 4.0;
 /// Points nearer to their contour than this may be there; those that are near none count as so far away.
-constexpr double k_near_px = 4.0;
-constexpr double k_far_px = 60.0;
+constexpr double k_near_px = 4.0, k_far_px = 60.0;
 /// Differences by which columns are made.
 constexpr double k_difference = 1e-4;
 

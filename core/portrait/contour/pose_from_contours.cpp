@@ -12,13 +12,10 @@ namespace {
 
 constexpr std::size_t k_most_contour_lines = 60;
 /// Points of lines, px of the picture, and how many at most.
-constexpr double k_spacing_px = 6.0;
-constexpr double k_most_points = 260.0;
+constexpr double k_spacing_px = 6.0, k_most_points = 260.0;
 /// What it costs to lay a sheet on by the box of its lines, and for each hundredth by which these are shorter than so
 /// much of all contours: a part of an outline has no box that tells.
-constexpr double k_by_box = 12.0;
-constexpr double k_outline = 0.7;
-constexpr double k_part = 3.0;
+constexpr double k_by_box = 12.0, k_outline = 0.7, k_part = 3.0;
 /// Then it lies less exactly, by this factor.
 constexpr double k_ease_by_box = 4.0;
 /// Lines that are so many times as long as all contours are none, however often they were drawn over.
@@ -26,8 +23,7 @@ constexpr double k_most_drawn = 4.0;
 /// Where two ways to lay it on differ by no more, both are solved for.
 constexpr double k_close = 40.0;
 /// A line is explained where so much of it lies so near to a contour, px.
-constexpr double k_explained = 0.6;
-constexpr double k_explained_px = 14.0;
+constexpr double k_explained = 0.6, k_explained_px = 14.0;
 /// Where less of all lines does, they are no contours of this model.
 constexpr double k_explained_of_all = 0.5;
 

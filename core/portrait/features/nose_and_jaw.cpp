@@ -72,14 +72,22 @@ FoundLine base_of(const FaceSurface& surface, double middle, int mouth, int tip,
   return line;
 }
 
+struct FaceMiddle {
+  double unit;         ///< px
+  ModelPoint between;  ///< the eyes
+  double column;       ///< of the picture
+  MouthSeam::Column mouth;
+};
+FaceMiddle face_middle(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
+  const ModelPoint between = (eyes[0].centre + eyes[1].centre) * 0.5;
+  return {px_of(surface, eyes), between, surface.image().column(between.x), seam.columns[seam.columns.size() / 2]};
+}
+
 }  // namespace
 
 Nose find_nose(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
   const FaceImage& image = surface.image();
-  const double unit = px_of(surface, eyes);
-  const ModelPoint between = (eyes[0].centre + eyes[1].centre) * 0.5;
-  const double middle = image.column(between.x);
-  const MouthSeam::Column& mouth = seam.columns[seam.columns.size() / 2];
+  const auto [unit, between, middle, mouth] = face_middle(surface, eyes, seam);
   Nose nose;
   const int top = static_cast<int>(image.row(between.y));
   // Nearer to the mouth than a sixth of the way lies the lip.
@@ -110,10 +118,7 @@ Nose find_nose(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const
 
 Jaw find_jaw(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const MouthSeam& seam) {
   const FaceImage& image = surface.image();
-  const double unit = px_of(surface, eyes);
-  const ModelPoint between = (eyes[0].centre + eyes[1].centre) * 0.5;
-  const double x = image.column(between.x);
-  const MouthSeam::Column& mouth = seam.columns[seam.columns.size() / 2];
+  const auto [unit, between, x, mouth] = face_middle(surface, eyes, seam);
   const double y = mouth.upper + k_jaw_rise * unit;
   // From the height of the eyes on the right side, around below.
   const double up = base::atan2(image.row(between.y) - y, 1.1 * unit);

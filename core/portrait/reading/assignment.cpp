@@ -11,10 +11,7 @@ namespace {
 constexpr double k_near = 4.0;
 /// Stretches that share less of a curve than this continue each other.
 constexpr double k_continues = 0.12;
-constexpr double k_one_more = 1.0;
-constexpr double k_again = 2.0;
-constexpr double k_most_apart = 60.0;
-constexpr double k_alone_cost = 18.0;
+constexpr double k_one_more = 1.0, k_again = 2.0, k_most_apart = 60.0, k_alone_cost = 18.0;
 /// A mouth of one line is its opening, never one border of the lips.
 constexpr double k_lone_lip = 60.0;
 /// Eyes without a mouth are hardly a face.

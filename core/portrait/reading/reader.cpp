@@ -38,8 +38,7 @@ constexpr double k_nothing_energy = 42.0, k_nothing_over = 80.0;
 constexpr double k_measured = 16.0;
 
 /// Doubt of the placement of what was drawn over the face, of what is usual; and what a reading elsewhere costs.
-constexpr double k_doubt_in_view = 0.05;
-constexpr double k_elsewhere = 40.0;
+constexpr double k_doubt_in_view = 0.05, k_elsewhere = 40.0;
 
 /// How many lines are something known.
 double known_lines(std::span<const Label> labels) {

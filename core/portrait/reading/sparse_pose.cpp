@@ -12,8 +12,7 @@ namespace {
 /// nu of the energy.
 constexpr double k_reach = 80.0;
 /// What a unit costs that moves.
-constexpr double k_unit = 6.0;
-constexpr double k_alone = 1.0;
+constexpr double k_unit = 6.0, k_alone = 1.0;
 /// Times the square of a share.
 constexpr double k_share = 3.0;
 /// Of a face that somebody draws freely, whose pose goes beyond what a rig does, or short of it.

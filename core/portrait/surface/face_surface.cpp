@@ -14,8 +14,7 @@ constexpr double k_rows = 700;
 /// Of the one in which the skin is looked for.
 constexpr double k_coarse_rows = 160;
 /// How far the picture may go beyond what shapes move, as a share of its height: as far as the skin goes there.
-constexpr double k_beyond = 0.7;
-constexpr double k_margin = 0.03;
+constexpr double k_beyond = 0.7, k_margin = 0.03;
 
 /// Of a picture of a box, which is not much wider than high.
 double height_of(const geometry::Box& box) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/layout/pen_axes.h"
+
 namespace penpose::decode {
 
 DescriptorDecoder::DescriptorDecoder(PenLayout layout) : layout_(std::move(layout)) {
@@ -59,8 +61,10 @@ void DescriptorDecoder::press(unsigned button, bool down) {
 
 void DescriptorDecoder::apply(const PenReport& report, const PenControl& control, std::int64_t value,
                               Proximity& proximity) {
-  const auto number = static_cast<std::int32_t>(control.scaled(value));
   const bool on = value != 0;
+  // Linux's hid-input passes on every axis as it is, Z too.
+  if (const AxisOfRole* const axis = find_axis(control.role))
+    sample_.*axis->value = static_cast<std::int32_t>(control.scaled(value));
   switch (control.role) {
     case PenRole::eraser:
       proximity.active = proximity.active || on;
@@ -88,7 +92,6 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
       if (proximity.tool != Tool::eraser) sample_.tip = on;
       return;
     case PenRole::pressure:
-      sample_.pressure = number;
       // An eraser that is a button of the pen can be held in the air.
       if (proximity.tool == Tool::eraser && value <= control.minimum) sample_.tip = false;
       if (!report.has_tip) {
@@ -108,28 +111,6 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
       proximity.active = false;
       return;
     }
-    case PenRole::x:
-      sample_.x = number;
-      return;
-    case PenRole::y:
-      sample_.y = number;
-      return;
-    case PenRole::height_down:  // Linux's hid-input passes it on as it is
-    case PenRole::distance:
-      sample_.distance = number;
-      return;
-    case PenRole::tilt_x:
-      sample_.tilt_x = number;
-      return;
-    case PenRole::tilt_y:
-      sample_.tilt_y = number;
-      return;
-    case PenRole::twist:
-      sample_.rotation = number;
-      return;
-    case PenRole::wheel:
-      sample_.wheel = number;
-      return;
     case PenRole::barrel:
       return press(0, on);
     case PenRole::barrel2:
@@ -145,8 +126,7 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
     case PenRole::tool_type:
       sample_.tool_id = static_cast<std::uint32_t>(value);
       return;
-    case PenRole::sense:
-    case PenRole::report_valid:
+    default:  // an axis, or nothing that such pens say
       return;
   }
 }

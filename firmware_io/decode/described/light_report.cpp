@@ -13,10 +13,12 @@ namespace {
 
 using P = WacomPad;
 
-constexpr std::uint8_t k_lights_report = 0x20;
-constexpr std::uint8_t k_bluetooth_report = 0x82;
-constexpr std::uint8_t k_described_report = 0x32;
-constexpr std::uint8_t k_receiver_report = 0x03;
+enum ReportId : std::uint8_t {
+  k_receiver_report = 0x03,
+  k_lights_report = 0x20,
+  k_described_report = 0x32,
+  k_bluetooth_report = 0x82
+};
 constexpr std::size_t k_lights_size = 9;
 constexpr std::size_t k_receiver_size = 13;
 constexpr std::size_t k_receiver_light_byte = 4;

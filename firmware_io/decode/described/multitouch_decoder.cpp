@@ -10,11 +10,6 @@ using hid::ReportDescriptor;
 using hid::ReportType;
 using hid::Usage;
 
-constexpr Usage digitizer(std::uint16_t id) { return hid::usage(hid::k_page_digitizer, id); }
-constexpr Usage k_contact_id = digitizer(0x51);
-constexpr Usage k_contact_count = digitizer(0x54);
-constexpr Usage k_contact_max = digitizer(0x55);
-constexpr Usage k_scan_time = digitizer(0x56);
 /// Feature reports with which devices show that they were certified for Windows 8.
 constexpr Usage k_certificate = hid::usage(0xff00, 0xc5);
 constexpr Usage k_certificate_status = hid::usage(0xff00, 0xc6);
@@ -35,7 +30,8 @@ unsigned most_contacts(const ReportDescriptor& descriptor) {
   for (const Field& field : descriptor.fields) {
     if (field.type != ReportType::feature) continue;
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.usage_count(), k_most_controls_of_field); ++i) {
-      if (field.usage_of(i) == k_contact_max && field.logical_maximum > 0 && field.logical_maximum <= k_most_contacts)
+      if (field.usage_of(i) == hid::k_contact_max && field.logical_maximum > 0 &&
+          field.logical_maximum <= k_most_contacts)
         contacts = static_cast<unsigned>(field.logical_maximum);
     }
   }
@@ -65,7 +61,7 @@ bool Finder::has_contacts(std::uint8_t id) const {
       return false;
     if (layout_.certified && descriptor_.enclosing(field, hid::k_collection_logical) != hid::k_finger) return false;
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.count, k_most_controls_of_field); ++i) {
-      if (field.usage_of(i) == k_contact_id) return true;
+      if (field.usage_of(i) == hid::k_contact_id) return true;
     }
     return false;
   });
@@ -121,13 +117,13 @@ void Finder::add(MultitouchApplication& to, const Field& field, std::uint32_t in
       return store(to, &MultitouchFinger::confidence, field, index);
     case hid::k_tip_switch:
       return store(to, &MultitouchFinger::tip, field, index);
-    case k_contact_id:
+    case hid::k_contact_id:
       return store(to, &MultitouchFinger::id, field, index);
-    case k_contact_count:
+    case hid::k_contact_count:
       to.count = DescribedControl(field, index);
       to.count_report = field.report_id;
       return;
-    case k_scan_time:
+    case hid::k_scan_time:
       to.scan_time = DescribedControl(field, index);
       to.scan_time_report = field.report_id;
       return;

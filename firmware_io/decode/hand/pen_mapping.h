@@ -10,10 +10,7 @@ namespace penpose::decode {
 
 /// A part of the tablet, in fractions of its full area with the origin at its own upper left corner.
 struct TabletArea {
-  double left = 0;
-  double top = 0;
-  double right = 1;
-  double bottom = 1;
+  double left = 0, top = 0, right = 1, bottom = 1;
 };
 
 struct PenMappingOptions {

@@ -21,9 +21,7 @@ class LayoutDecoder final : public PenDecoder {
  private:
   /// State that one report leaves for later ones.
   struct Memory {
-    std::int32_t pressure = 0;
-    std::int32_t tilt_x = 0;
-    std::int32_t tilt_y = 0;
+    std::int32_t pressure = 0, tilt_x = 0, tilt_y = 0;
     std::uint32_t buttons = 0;
     std::uint32_t tool_id = 0;
     std::uint64_t serial = 0;

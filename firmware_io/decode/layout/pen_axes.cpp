@@ -13,30 +13,16 @@ constexpr auto k_axes =
     std::to_array<Axis PenAxes::*>({&PenAxes::x, &PenAxes::y, &PenAxes::pressure, &PenAxes::tilt_x, &PenAxes::tilt_y,
                                     &PenAxes::distance, &PenAxes::rotation, &PenAxes::wheel});
 
-/// The axis whose value a control is; null for those that are none.
-Axis PenAxes::*axis_of(PenRole role) {
-  switch (role) {
-    case PenRole::x:
-      return &PenAxes::x;
-    case PenRole::y:
-      return &PenAxes::y;
-    case PenRole::pressure:
-      return &PenAxes::pressure;
-    case PenRole::height_down:
-    case PenRole::distance:
-      return &PenAxes::distance;
-    case PenRole::tilt_x:
-      return &PenAxes::tilt_x;
-    case PenRole::tilt_y:
-      return &PenAxes::tilt_y;
-    case PenRole::twist:
-      return &PenAxes::rotation;
-    case PenRole::wheel:
-      return &PenAxes::wheel;
-    default:
-      return nullptr;
-  }
-}
+constexpr auto k_axis_of_role =
+    std::to_array<AxisOfRole>({{PenRole::x, &PenAxes::x, &PenSample::x},
+                               {PenRole::y, &PenAxes::y, &PenSample::y},
+                               {PenRole::pressure, &PenAxes::pressure, &PenSample::pressure},
+                               {PenRole::height_down, &PenAxes::distance, &PenSample::distance},
+                               {PenRole::distance, &PenAxes::distance, &PenSample::distance},
+                               {PenRole::tilt_x, &PenAxes::tilt_x, &PenSample::tilt_x},
+                               {PenRole::tilt_y, &PenAxes::tilt_y, &PenSample::tilt_y},
+                               {PenRole::twist, &PenAxes::rotation, &PenSample::rotation},
+                               {PenRole::wheel, &PenAxes::wheel, &PenSample::wheel}});
 
 double units_of(PenRole role, const Field& field) {
   switch (role) {
@@ -59,10 +45,16 @@ std::int32_t narrow(std::int64_t value) {
 
 }  // namespace
 
+const AxisOfRole* find_axis(PenRole role) {
+  const auto found = std::find_if(k_axis_of_role.begin(), k_axis_of_role.end(),
+                                  [role](const AxisOfRole& one) { return one.role == role; });
+  return found == k_axis_of_role.end() ? nullptr : &*found;
+}
+
 void note_axis(PenAxes& axes, PenRole role, const Field& field) {
-  Axis PenAxes::*const axis = axis_of(role);
-  if (axis == nullptr || (axes.*axis).present) return;
-  axes.*axis = {narrow(field.logical_minimum), narrow(field.logical_maximum), units_of(role, field), true};
+  const AxisOfRole* const found = find_axis(role);
+  if (found == nullptr || (axes.*found->axis).present) return;
+  axes.*found->axis = {narrow(field.logical_minimum), narrow(field.logical_maximum), units_of(role, field), true};
 }
 
 void unite_axes(PenLayout& layout) {
@@ -86,8 +78,9 @@ void unite_axes(PenLayout& layout) {
   }
   for (PenReport& report : layout.reports) {
     for (PenControl& control : report.controls) {
-      Axis PenAxes::*const axis = axis_of(control.role);
-      if (axis != nullptr && axis != &PenAxes::distance) control.lead_to(report.axes.*axis, layout.axes.*axis);
+      const AxisOfRole* const found = find_axis(control.role);
+      if (found == nullptr || found->axis == &PenAxes::distance) continue;
+      control.lead_to(report.axes.*found->axis, layout.axes.*found->axis);
     }
   }
 }

@@ -4,6 +4,16 @@
 
 namespace penpose::decode {
 
+/// What a control that is an axis is about.
+struct AxisOfRole {
+  PenRole role;
+  Axis PenAxes::*axis;
+  std::int32_t PenSample::*value;
+};
+
+/// Null for a control that is no axis.
+[[nodiscard]] const AxisOfRole* find_axis(PenRole role);
+
 /// Takes over the range and unit of a control's field, unless the axes have one already or the control is no axis.
 void note_axis(PenAxes& axes, PenRole role, const hid::Field& field);
 

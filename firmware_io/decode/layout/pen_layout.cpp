@@ -12,7 +12,6 @@ using hid::Field;
 using hid::ReportDescriptor;
 using hid::Usage;
 
-constexpr Usage k_contact_id = hid::usage(hid::k_page_digitizer, 0x51);
 constexpr Usage k_digitizer_undefined = hid::usage(hid::k_page_digitizer, 0);
 constexpr Usage k_microsoft_undefined = 0xff000000;
 
@@ -27,55 +26,43 @@ bool is_standard_pen_field(const ReportDescriptor& descriptor, const Field& fiel
          descriptor.is_inside(field, hid::k_puck) || descriptor.is_inside(field, hid::k_pen);
 }
 
+struct RoleOfUsage {
+  Usage usage;
+  PenRole role;
+};
+constexpr RoleOfUsage k_role_of_usage[] = {
+    // Of the standard (HID Usage Tables 1.5, 4 and 16).
+    {hid::k_x, PenRole::x},
+    {hid::k_y, PenRole::y},
+    {hid::k_z, PenRole::height_down},
+    {hid::k_tip_pressure, PenRole::pressure},
+    {hid::k_in_range, PenRole::in_range},
+    {hid::k_invert, PenRole::invert},
+    {hid::k_x_tilt, PenRole::tilt_x},
+    {hid::k_y_tilt, PenRole::tilt_y},
+    {hid::k_twist, PenRole::twist},
+    {hid::k_tip_switch, PenRole::tip},
+    {hid::k_eraser, PenRole::eraser},
+    {hid::k_barrel_switch, PenRole::barrel},
+    {hid::k_secondary_barrel_switch, PenRole::barrel2},
+    {hid::k_transducer_serial, PenRole::serial},
+    // The second button of Huion's pens since 2024, and of older pens of others.
+    {hid::k_secondary_tip_switch, PenRole::barrel2},
+    {hid::k_tablet_pick, PenRole::barrel2},
+    // Of Wacom alone.
+    {k_wacom_sense, PenRole::sense},
+    {k_wacom_serial_high, PenRole::serial_high},
+    {k_wacom_barrel3, PenRole::barrel3},
+    {k_wacom_tool_type, PenRole::tool_type},
+    {k_wacom_distance, PenRole::distance},
+    {k_wacom_report_valid, PenRole::report_valid},
+    {k_wacom_finger_wheel, PenRole::wheel}};
+
 std::optional<PenRole> role_of(Usage usage) {
-  switch (usage) {
-    case hid::k_x:
-      return PenRole::x;
-    case hid::k_y:
-      return PenRole::y;
-    case hid::k_z:
-      return PenRole::height_down;
-    case hid::k_tip_pressure:
-      return PenRole::pressure;
-    case hid::k_in_range:
-      return PenRole::in_range;
-    case hid::k_invert:
-      return PenRole::invert;
-    case hid::k_x_tilt:
-      return PenRole::tilt_x;
-    case hid::k_y_tilt:
-      return PenRole::tilt_y;
-    case hid::k_twist:
-      return PenRole::twist;
-    case hid::k_tip_switch:
-      return PenRole::tip;
-    case hid::k_eraser:
-      return PenRole::eraser;
-    case hid::k_barrel_switch:
-      return PenRole::barrel;
-    case hid::k_secondary_barrel_switch:
-    case hid::usage(hid::k_page_digitizer, 0x43):  // Secondary Tip Switch, the same of Huion's since 2024
-    case hid::usage(hid::k_page_digitizer, 0x46):  // Tablet Pick, the second button of older pens
-      return PenRole::barrel2;
-    case hid::k_transducer_serial:
-      return PenRole::serial;
-    case k_wacom_sense:
-      return PenRole::sense;
-    case k_wacom_serial_high:
-      return PenRole::serial_high;
-    case k_wacom_barrel3:
-      return PenRole::barrel3;
-    case k_wacom_tool_type:
-      return PenRole::tool_type;
-    case k_wacom_distance:
-      return PenRole::distance;
-    case k_wacom_report_valid:
-      return PenRole::report_valid;
-    case k_wacom_finger_wheel:
-      return PenRole::wheel;
-    default:
-      return std::nullopt;
+  for (const RoleOfUsage& one : k_role_of_usage) {
+    if (one.usage == usage) return one.role;
   }
+  return std::nullopt;
 }
 
 bool has_role(const PenReport& report, PenRole role) {
@@ -111,7 +98,7 @@ bool Finder::carries_contacts(std::uint8_t id) const {
   return std::any_of(descriptor_.fields.begin(), descriptor_.fields.end(), [&](const Field& field) {
     if (field.type != hid::ReportType::input || field.report_id != id || !field.is_variable()) return false;
     return std::any_of(field.usages.begin(), field.usages.end(), [](const hid::UsageRange& range) {
-      return range.minimum <= k_contact_id && k_contact_id <= range.maximum;
+      return range.minimum <= hid::k_contact_id && hid::k_contact_id <= range.maximum;
     });
   });
 }

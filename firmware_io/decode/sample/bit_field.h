@@ -95,10 +95,7 @@ class BitNumber {
  private:
   struct Run {
     std::uint16_t byte = 0;
-    std::uint8_t mask = 0;
-    std::uint8_t flip = 0;
-    std::uint8_t down = 0;
-    std::uint8_t up = 0;
+    std::uint8_t mask = 0, flip = 0, down = 0, up = 0;
 
     [[nodiscard]] std::uint64_t of(std::uint8_t raw) const {
       return (std::uint64_t{static_cast<std::uint8_t>((raw ^ flip) & mask)} >> down) << up;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/byte_reader.h"
+#include "core/base/interface.h"
 #include "firmware_io/decode/sample/pad_sample.h"
 
 namespace penpose::decode {
@@ -8,12 +9,9 @@ namespace penpose::decode {
 /// Turns the raw reports of one interface into the state of the keys and wheels on the tablet. Works in parallel
 /// with the interface's PenDecoder and gets all the same reports, in order. It never allocates in `decode`, never reads
 /// outside the report, and accepts any bytes.
-class PadDecoder {
+class PadDecoder : public base::Interface {
  public:
-  virtual ~PadDecoder() = default;
   explicit PadDecoder(const PadFeatures& features) : features_(features) {}
-  PadDecoder(const PadDecoder&) = delete;
-  PadDecoder& operator=(const PadDecoder&) = delete;
 
   /// One raw report, report id first. True if it was about the pad; its state is then in `sample()`, where wheels are
   /// the steps of this report alone.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/base/byte_reader.h"
+#include "core/base/interface.h"
 #include "firmware_io/decode/sample/pen_sample.h"
 
 namespace penpose::decode {
@@ -30,13 +31,8 @@ struct PadState {
 
 /// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in
 /// order. A decoder never allocates in `decode`, never reads outside the report, and accepts any bytes.
-class PenDecoder {
+class PenDecoder : public base::Interface {
  public:
-  virtual ~PenDecoder() = default;
-  PenDecoder() = default;
-  PenDecoder(const PenDecoder&) = delete;
-  PenDecoder& operator=(const PenDecoder&) = delete;
-
   /// One raw report, report id first as from hidraw and hid-recorder.
   virtual ReportKind decode(base::Bytes report) = 0;
   /// Resets all state, as after plugging in.

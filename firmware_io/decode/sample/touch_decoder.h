@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/base/byte_reader.h"
+#include "core/base/interface.h"
 #include "firmware_io/decode/sample/pen_sample.h"
 #include "firmware_io/decode/sample/touch_slots.h"
 
@@ -28,12 +29,9 @@ struct TouchAxes {
 /// Turns the raw reports of one interface into the fingers on the tablet. Works in parallel with the interface's
 /// PenDecoder and gets all the same reports, in order. It never allocates in `decode`, never reads outside the report,
 /// and accepts any bytes.
-class TouchDecoder {
+class TouchDecoder : public base::Interface {
  public:
-  virtual ~TouchDecoder() = default;
   explicit TouchDecoder(const TouchAxes& axes) : axes_(axes), slots_(axes.contacts) {}
-  TouchDecoder(const TouchDecoder&) = delete;
-  TouchDecoder& operator=(const TouchDecoder&) = delete;
 
   /// One raw report, report id first. True when it ended a frame; `contacts()` are the fingers then.
   virtual bool decode(base::Bytes report) = 0;

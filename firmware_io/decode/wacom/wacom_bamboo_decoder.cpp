@@ -7,10 +7,14 @@ namespace {
 
 class WacomBambooDecoder final : public PenDecoder {
  public:
-  explicit WacomBambooDecoder(const WacomModel& model);
+  explicit WacomBambooDecoder(const WacomModel& model) : axes_(wacom_axes(model)), max_distance_(model.max_distance) {}
 
   ReportKind decode(base::Bytes report) override;
-  void reset() override;
+  void reset() override {
+    sample_ = {};
+    tool_ = Tool::none;
+    reporting_ = false;
+  }
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
 
  private:
@@ -19,15 +23,6 @@ class WacomBambooDecoder final : public PenDecoder {
   Tool tool_ = Tool::none;
   bool reporting_ = false;  ///< a position was seen since the pen came near
 };
-
-WacomBambooDecoder::WacomBambooDecoder(const WacomModel& model)
-    : axes_(wacom_axes(model)), max_distance_(model.max_distance) {}
-
-void WacomBambooDecoder::reset() {
-  sample_ = {};
-  tool_ = Tool::none;
-  reporting_ = false;
-}
 
 ReportKind WacomBambooDecoder::decode(base::Bytes report) {
   if (report.size() < 9 || report.size() > 10 || report[0] != 0x02) return ReportKind::ignored;

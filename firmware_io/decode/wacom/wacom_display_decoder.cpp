@@ -20,16 +20,9 @@ ReportKind WacomDisplayDecoder::decode(base::Bytes report) {
   if (report.size() < 7) return ReportKind::ignored;
   if (family_ == WacomFamily::dtus) return decode_dtus(report);
   if (report.size() < 8) return ReportKind::ignored;
-  switch (family_) {
-    case WacomFamily::pl:
-      return decode_pl(report);
-    case WacomFamily::ptu:
-      return decode_ptu(report);
-    case WacomFamily::dtu:
-      return decode_dtu(report);
-    default:
-      return decode_tablet_pc(report);
-  }
+  if (family_ == WacomFamily::pl) return decode_pl(report);
+  if (family_ == WacomFamily::ptu) return decode_ptu(report);
+  return family_ == WacomFamily::dtu ? decode_dtu(report) : decode_tablet_pc(report);
 }
 
 ReportKind WacomDisplayDecoder::finish(bool near) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/layout/pen_axes.h"
+
 namespace penpose::decode {
 
 namespace {
@@ -31,7 +33,8 @@ void WacomGenericDecoder::reset() {
   tool_number_ = 0;
   serial_ = 0;
   waited_ = 0;
-  in_range_ = sensed_ = turned_ = tip_ = barrel_ = barrel2_ = barrel3_ = false;
+  in_range_ = sensed_ = turned_ = tip_ = false;
+  barrels_ = {};
   invalid_frame_ = was_sensed_ = false;
   frames_.clear();
 }
@@ -101,13 +104,9 @@ void WacomGenericDecoder::apply(const PenReport& report, const PenControl& contr
       tip_ = tip_ || on;
       return;
     case PenRole::barrel:
-      barrel_ = on;
-      return;
     case PenRole::barrel2:
-      barrel2_ = on;
-      return;
     case PenRole::barrel3:
-      barrel3_ = on;
+      barrels_[static_cast<std::size_t>(control.role) - static_cast<std::size_t>(PenRole::barrel)] = on;
       return;
     case PenRole::serial:
       if (on) serial_ = (serial_ & ~0xffffffffull) | static_cast<std::uint32_t>(value);
@@ -124,26 +123,14 @@ void WacomGenericDecoder::apply(const PenReport& report, const PenControl& contr
     case PenRole::report_valid:
       invalid_frame_ = !on;
       return;
-    case PenRole::x:
-      return set_axis(sample_.x, value);
-    case PenRole::y:
-      return set_axis(sample_.y, value);
-    case PenRole::pressure:
-      return set_axis(sample_.pressure, value);
     case PenRole::height_down:
       return set_axis(sample_.distance, control.maximum - value);
-    case PenRole::distance:
-      return set_axis(sample_.distance, value);
-    case PenRole::tilt_x:
-      return set_axis(sample_.tilt_x, value);
-    case PenRole::tilt_y:
-      return set_axis(sample_.tilt_y, value);
     case PenRole::twist:
       // Others than art pens send meaningless bits there.
       if (rotates_) set_axis(sample_.rotation, quarter_turned(control, value));
       return;
-    case PenRole::wheel:
-      return set_axis(sample_.wheel, value);
+    default:
+      if (const AxisOfRole* const axis = find_axis(control.role)) set_axis(sample_.*axis->value, value);
   }
 }
 
@@ -161,10 +148,10 @@ void WacomGenericDecoder::end_frame(const PenReport& report) {
   was_sensed_ = sensed_;
   if (tool_ != WacomTool::none) {
     std::uint32_t buttons = 0;
-    if (barrel_ && barrel2_ && report.both_are_third) {
+    if (barrels_[0] && barrels_[1] && report.both_are_third) {
       buttons = 1u << 2;
     } else {
-      buttons = (barrel_ ? 1u : 0u) | (barrel2_ ? 2u : 0u) | (barrel3_ ? 4u : 0u);
+      for (unsigned i = 0; i < barrels_.size(); ++i) buttons |= (barrels_[i] ? 1u : 0u) << i;
     }
     sample_.buttons = buttons;
     sample_.tip = tip_;

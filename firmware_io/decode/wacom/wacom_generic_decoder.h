@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "firmware_io/decode/described/frame_list.h"
 #include "firmware_io/decode/layout/pen_layout.h"
 #include "firmware_io/decode/sample/pen_decoder.h"
@@ -42,9 +44,7 @@ class WacomGenericDecoder final : public PenDecoder {
   bool sensed_ = false;
   bool turned_ = false;  ///< eraser end
   bool tip_ = false;
-  bool barrel_ = false;
-  bool barrel2_ = false;
-  bool barrel3_ = false;
+  std::array<bool, 3> barrels_{};
   bool rotates_ = false;  ///< an art pen
   bool invalid_frame_ = false;
   bool was_sensed_ = false;

@@ -14,10 +14,13 @@ constexpr std::uint32_t k_eraser_id = 0x0a;
 
 class WacomGraphireDecoder final : public PenDecoder {
  public:
-  explicit WacomGraphireDecoder(const WacomModel& model);
+  explicit WacomGraphireDecoder(const WacomModel& model) : family_(model.family), axes_(wacom_axes(model)) {}
 
   ReportKind decode(base::Bytes report) override;
-  void reset() override;
+  void reset() override {
+    sample_ = {};
+    tool_ = Tool::none;
+  }
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
 
  private:
@@ -39,13 +42,6 @@ class WacomPenPartnerDecoder final : public PenDecoder {
  private:
   PenAxes axes_;
 };
-
-WacomGraphireDecoder::WacomGraphireDecoder(const WacomModel& model) : family_(model.family), axes_(wacom_axes(model)) {}
-
-void WacomGraphireDecoder::reset() {
-  sample_ = {};
-  tool_ = Tool::none;
-}
 
 void WacomGraphireDecoder::set_tool(base::Bytes report) {
   switch ((report[1] >> 5) & 3) {

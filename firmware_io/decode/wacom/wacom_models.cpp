@@ -1,8 +1,6 @@
 #include "firmware_io/decode/wacom/wacom_models.h"
 
-#include <algorithm>
-
-#include "firmware_io/decode/sample/device_identity.h"
+#include "firmware_io/decode/wacom/find_product.h"
 
 namespace penpose::decode {
 namespace {
@@ -170,28 +168,12 @@ constexpr WacomModel k_models[] = {
 };
 // clang-format on
 
-constexpr std::uint16_t k_lenovo_isdv4 = 0x6004;
-
-bool is_bluetooth_only(WacomFamily family) {
-  return family == F::graphire_bluetooth || family == F::intuos4_bluetooth || family == F::intuos_pro_bluetooth ||
-         family == F::intuos_2018_bluetooth;
-}
-
 }  // namespace
 
 std::span<const WacomModel> wacom_models() { return k_models; }
 
 const WacomModel* find_wacom_model(std::uint16_t bus, std::uint16_t vendor, std::uint16_t product) {
-  const bool lenovo = vendor == k_vendor_lenovo && product == k_lenovo_isdv4;
-  if (vendor != k_vendor_wacom && !lenovo) return nullptr;
-  const auto end = std::end(k_models);
-  const auto* const found = std::lower_bound(
-      std::begin(k_models), end, product, [](const WacomModel& model, std::uint16_t id) { return model.product < id; });
-  if (found == end || found->product != product) return nullptr;
-  // Product ids on other buses (I2C) are numbered independently of these.
-  const std::uint16_t wanted = is_bluetooth_only(found->family) ? k_bus_bluetooth : k_bus_usb;
-  if (bus != wanted || (product == k_lenovo_isdv4) != lenovo) return nullptr;
-  return found;
+  return find_product(std::span<const WacomModel>(k_models), &WacomModel::family, bus, vendor, product);
 }
 
 }  // namespace penpose::decode

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
+#include "core/base/hidden.h"
 #include "core/base/result.h"
 
 namespace penpose::device {
@@ -15,18 +15,14 @@ class UsbStrings {
   /// `usb_node`: "/dev/bus/usb/001/004". Errors: no permission to open it.
   [[nodiscard]] static base::Result<UsbStrings> open(const std::string& usb_node);
 
-  UsbStrings(UsbStrings&&) noexcept;
-  UsbStrings& operator=(UsbStrings&&) noexcept;
-  ~UsbStrings();
-
   /// In American English, which all tablets have; characters outside ASCII come as '?'. Errors: no such string.
   [[nodiscard]] base::Result<std::string> read(std::uint8_t index) const;
 
  private:
   class Handle;
-  explicit UsbStrings(std::unique_ptr<Handle> handle);
+  explicit UsbStrings(base::Hidden<Handle> handle);
 
-  std::unique_ptr<Handle> handle_;
+  base::Hidden<Handle> handle_;
 };
 
 /// One string of a device; `usb_node` as above, empty for what is none. Errors: those of UsbStrings; not a USB device.

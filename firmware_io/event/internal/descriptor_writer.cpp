@@ -5,22 +5,27 @@
 namespace penpose::event {
 namespace {
 
-// Heads of items without their length (HID 1.11, 6.2.2).
-constexpr std::uint8_t k_input = 0x80;
-constexpr std::uint8_t k_feature = 0xb0;
-constexpr std::uint8_t k_collection = 0xa0;
-constexpr std::uint8_t k_end_collection = 0xc0;
-constexpr std::uint8_t k_usage = 0x08;
-// Tags of global items.
-constexpr std::size_t k_logical_minimum = 1;
-constexpr std::size_t k_logical_maximum = 2;
-constexpr std::size_t k_physical_minimum = 3;
-constexpr std::size_t k_physical_maximum = 4;
-constexpr std::size_t k_exponent = 5;
-constexpr std::size_t k_unit = 6;
-constexpr std::size_t k_report_size = 7;
-constexpr std::size_t k_report_id = 8;
-constexpr std::size_t k_report_count = 9;
+/// Heads of items without their length (HID 1.11, 6.2.2).
+enum Head : std::uint8_t {
+  k_input = 0x80,
+  k_feature = 0xb0,
+  k_collection = 0xa0,
+  k_end_collection = 0xc0,
+  k_usage = 8
+};
+
+/// Tags of global items.
+enum Tag : std::size_t {
+  k_logical_minimum = 1,
+  k_logical_maximum,
+  k_physical_minimum,
+  k_physical_maximum,
+  k_exponent,
+  k_unit,
+  k_report_size,
+  k_report_id,
+  k_report_count
+};
 
 /// Finer than any tablet, and so coarse that a metre fits into 31 bits.
 constexpr int k_least_exponent = -6;

@@ -8,17 +8,19 @@
 namespace penpose::replay {
 namespace {
 
-constexpr std::uint32_t k_pcap_micros = 0xa1b2c3d4;
-constexpr std::uint32_t k_pcap_nanos = 0xa1b23c4d;
+/// What a pcap file begins with, by the unit of its fractions of a second.
+enum PcapMagic : std::uint32_t { k_pcap_micros = 0xa1b2c3d4, k_pcap_nanos = 0xa1b23c4d };
 constexpr std::size_t k_pcap_header = 24;
 constexpr std::size_t k_pcap_record = 16;
 
-constexpr std::uint32_t k_section_block = 0x0a0d0d0a;  // reads the same in both byte orders
+enum BlockType : std::uint32_t {
+  k_interface_block = 1,
+  k_obsolete_block = 2,
+  k_simple_block = 3,
+  k_enhanced_block = 6,
+  k_section_block = 0x0a0d0d0a  ///< reads the same in both byte orders
+};
 constexpr std::uint32_t k_byte_order = 0x1a2b3c4d;
-constexpr std::uint32_t k_interface_block = 1;
-constexpr std::uint32_t k_obsolete_block = 2;
-constexpr std::uint32_t k_simple_block = 3;
-constexpr std::uint32_t k_enhanced_block = 6;
 constexpr std::uint64_t k_block_frame = 12;  // type and length in front, length behind
 constexpr std::uint16_t k_option_resolution = 9;
 

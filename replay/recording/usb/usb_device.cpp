@@ -11,12 +11,7 @@
 namespace penpose::replay {
 namespace {
 
-// Types of descriptors.
-constexpr std::uint8_t k_device = 1;
-constexpr std::uint8_t k_configuration = 2;
-constexpr std::uint8_t k_string = 3;
-constexpr std::uint8_t k_interface = 4;
-constexpr std::uint8_t k_endpoint = 5;
+enum DescriptorType : std::uint8_t { k_device = 1, k_configuration, k_string, k_interface, k_endpoint };
 
 constexpr std::uint8_t k_hid_class = 3;
 constexpr std::uint8_t k_interrupt = 3;

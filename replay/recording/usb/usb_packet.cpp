@@ -7,9 +7,8 @@
 namespace penpose::replay {
 namespace {
 
-constexpr std::uint16_t k_usb_linux = 189;
-constexpr std::uint16_t k_usb_linux_mmapped = 220;
-constexpr std::uint16_t k_usbpcap = 249;
+/// Link types of USB (tcpdump.org/linktypes.html).
+enum Link : std::uint16_t { k_usb_linux = 189, k_usb_linux_mmapped = 220, k_usbpcap = 249 };
 
 constexpr std::size_t k_setup = 8;
 constexpr std::size_t k_usbpcap_header = 27;  // of a control transfer one more, its stage

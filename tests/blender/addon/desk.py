@@ -22,10 +22,8 @@ def install(path):
     return sys.modules['penpose']
 
 
-def opened(path):
-    """The mesh with the most vertices of a glTF file, active, in a file of its own."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    addon_utils.enable('penpose', default_set=True)
+def imported(path):
+    """The mesh with the most vertices of a glTF file, active."""
     bpy.ops.import_scene.gltf(filepath=path, merge_vertices=False)
     meshes = [o for o in bpy.data.objects if o.type == 'MESH' and o.name != 'Icosphere']
     obj = max(meshes, key=lambda o: len(o.data.vertices))
@@ -33,6 +31,13 @@ def opened(path):
         one.select_set(one == obj)
     bpy.context.view_layer.objects.active = obj
     return obj
+
+
+def opened(path):
+    """The same in a file of its own."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    addon_utils.enable('penpose', default_set=True)
+    return imported(path)
 
 
 def seen(obj, yaw=0.0, size=1000, addon=sys.modules.get('penpose')):

@@ -154,19 +154,20 @@ class Measured(made.Trial):
         self.good(drawn, shown=False)
         self.assertAlmostEqual(armature['bend'], 0.6, delta=0.05)
 
-    def control_bone(self, armature, place):
+    def controlled_plate(self, place):
+        """A plate with bones and one more, "control", at a place; the plate is active."""
+        obj = made.plate()
+        armature = made.bones(obj)
         made.activate(armature)
         bpy.ops.object.mode_set(mode='EDIT')
         bone = armature.data.edit_bones.new('control')
         bone.head, bone.tail = place, (place[0], place[1] + 0.3, place[2])
         bpy.ops.object.mode_set(mode='OBJECT')
-        return armature.pose.bones['control']
+        made.activate(obj)
+        return obj, armature
 
     def test_copy_rotation(self):
-        obj = made.plate()
-        armature = made.bones(obj)
-        control = self.control_bone(armature, (0, 0.5, 0))
-        made.activate(obj)
+        obj, armature = self.controlled_plate((0, 0.5, 0))
         copy = armature.pose.bones['high'].constraints.new('COPY_ROTATION')
         copy.target, copy.subtarget, copy.mix_mode, copy.owner_space, copy.target_space = armature, 'control', 'ADD', 'LOCAL', 'LOCAL'
         armature.pose.bones['low'].lock_rotation = (True, True, True)
@@ -176,20 +177,16 @@ class Measured(made.Trial):
         there = self.turned(armature, obj, (0, 0, 0.5), 'control')
         drawn = made.Drawn(obj, line, there[line])
         self.good(drawn, shown=False)
-        del control
 
     def test_inverse_kinematics(self):
-        obj = made.plate()
-        armature = made.bones(obj)
-        control = self.control_bone(armature, (0.1, 0, 1))
-        made.activate(obj)
+        obj, armature = self.controlled_plate((0.1, 0, 1))
         ik = armature.pose.bones['high'].constraints.new('IK')
         ik.target, ik.subtarget, ik.chain_count = armature, 'control', 2
         bpy.context.view_layer.update()
         line = made.row(obj, 0.75, 0.5)
 
         def change(on):
-            control.location = (0.3, 0, 0.2) if on else (0, 0, 0)
+            armature.pose.bones['control'].location = (0.3, 0, 0.2) if on else (0, 0, 0)
         drawn = made.Drawn(obj, line, made.shown_with(obj, change)[line])
         self.good(drawn, shown=False)
 

@@ -15,6 +15,15 @@ from penpose import bones, drawing  # noqa: E402
 from penpose.controls import Refused  # noqa: E402
 
 
+def linked_character(path):
+    """The collection of a character that another file has, linked into an empty one."""
+    made.empty_file()
+    with bpy.data.libraries.load(path, link=True) as (_, to):
+        to.collections = ['Character']
+    bpy.context.scene.collection.children.link(to.collections[0])
+    return to.collections[0]
+
+
 class Rigs(made.Trial):
     def test_rotation_modes(self):
         for mode in ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE'):
@@ -192,10 +201,7 @@ class Rigs(made.Trial):
             bpy.context.scene.collection.objects.unlink(one)
         path = os.path.join(desk.SCRATCH, 'character.blend')
         bpy.ops.wm.save_as_mainfile(filepath=path)
-        made.empty_file()
-        with bpy.data.libraries.load(path, link=True) as (_, to):
-            to.collections = ['Character']
-        bpy.context.scene.collection.children.link(to.collections[0])
+        linked_character(path)
         linked = bpy.data.objects['Plate']
         with self.assertRaisesRegex(Refused, 'Plate is linked; make a library override'):
             drawing.known(linked)
@@ -209,11 +215,7 @@ class Rigs(made.Trial):
         bpy.context.view_layer.update()
         with self.assertRaisesRegex(Refused, 'linked.*make a library override of the whole character'):
             drawing.known(alone)
-        made.empty_file()
-        with bpy.data.libraries.load(path, link=True) as (_, to):
-            to.collections = ['Character']
-        bpy.context.scene.collection.children.link(to.collections[0])
-        to.collections[0].override_hierarchy_create(bpy.context.scene, bpy.context.view_layer)
+        linked_character(path).override_hierarchy_create(bpy.context.scene, bpy.context.view_layer)
         over = next(o for o in bpy.data.objects if o.type == 'MESH' and o.override_library)
         rig_over = next(o for o in bpy.data.objects if o.type == 'ARMATURE' and o.override_library)
         try:

@@ -26,12 +26,7 @@ def view(window=None):
 
 def prepare(model):
     """The model from the front with the pen and the panel."""
-    bpy.ops.import_scene.gltf(filepath=model, merge_vertices=False)
-    meshes = [o for o in bpy.data.objects if o.type == 'MESH' and o.name != 'Icosphere']
-    obj = max(meshes, key=lambda o: len(o.data.vertices))
-    for one in bpy.data.objects:
-        one.select_set(one == obj)
-    bpy.context.view_layer.objects.active = obj
+    desk.imported(model)
     with bpy.context.temp_override(**view()):
         space = bpy.context.space_data
         space.show_region_ui = True

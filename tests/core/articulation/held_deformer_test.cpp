@@ -288,12 +288,7 @@ TEST(BadSketch, OneTriangleIsNoRegion) {
 }
 
 TEST(BadSketch, DuplicateVerticesHolesAndManyTrianglesAtAnEdgeAreHeldToo) {
-  mesh::MeshSource holes = sheet_source();
-  std::erase_if(holes.triangles, [&](const mesh::Triangle& t) {
-    const ModelPoint& p = holes.positions[t[0]];
-    return std::abs(p.x - 0.9) < 0.25 && std::abs(p.y) < 0.25;
-  });
-  holes.parts.front().triangle_count = static_cast<std::uint32_t>(holes.triangles.size());
+  mesh::MeshSource holes = tests::with_hole(sheet_source());
   mesh::MeshSource apart = tests::triangle_soup(sheet_source());
   mesh::MeshSource fins = sheet_source();  // a third triangle at edges of the middle row
   for (std::uint32_t c = 15; c < 25; ++c) {

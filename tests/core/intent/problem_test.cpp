@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/intent/face.h"
+#include "tests/support/error_of.h"
 
 namespace penpose::intent {
 namespace {
@@ -66,11 +67,7 @@ TEST(CheckIntentProblem, NamesWhatIsWrong) {
   const auto place = [&](auto spoil) {
     IntentProblem problem = good;
     spoil(problem);
-    const auto status = check_problem(*face.rig, problem);
-    if (status) return std::string("fine");
-    EXPECT_FALSE(status.error().what.empty());
-    EXPECT_FALSE(status.error().remedy.empty());
-    return status.error().place;
+    return tests::place_of_fault(check_problem(*face.rig, problem));
   };
   EXPECT_EQ(place([](IntentProblem&) {}), "fine");
   EXPECT_EQ(place([](IntentProblem& p) {

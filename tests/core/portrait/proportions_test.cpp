@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace penpose::portrait {
 namespace {
@@ -51,12 +52,10 @@ TEST(Proportions, WithoutEyesTheBrowsTellThemAndWithoutBothThereAreNone) {
 }
 
 TEST(Proportions, PartsAreToldByTheNamesOfCurves) {
-  EXPECT_EQ(part_named("brow_L"), Part::brow);
-  EXPECT_EQ(part_named("Eyelid_Upper_R"), Part::eye);
-  EXPECT_EQ(part_named("lip_lower_inner"), Part::mouth);
-  EXPECT_EQ(part_named("nose_base"), Part::nose);
-  EXPECT_EQ(part_named("chin"), Part::jaw);
-  EXPECT_EQ(part_named("horn"), Part::other);
+  const std::pair<const char*, Part> known[] = {
+      {"brow_L", Part::brow},    {"Eyelid_Upper_R", Part::eye}, {"lip_lower_inner", Part::mouth},
+      {"nose_base", Part::nose}, {"chin", Part::jaw},           {"horn", Part::other}};
+  for (const auto& [name, part] : known) EXPECT_EQ(part_named(name), part) << name;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/support/error_of.h"
 #include "tests/support/models/posing_problems.h"
 
 namespace penpose::posing {
@@ -34,11 +35,7 @@ TEST(CheckProblem, NamesWhatIsWrong) {
     PoseProblem problem = good;
     problem.constraints.push_back({sheet.row(12), sheet.at(sheet.row(12), problem.start)});
     spoil(problem);
-    const auto status = check_problem(*sheet.rig, problem);
-    if (status) return std::string("fine");
-    EXPECT_FALSE(status.error().what.empty());
-    EXPECT_FALSE(status.error().remedy.empty());
-    return status.error().place;
+    return tests::place_of_fault(check_problem(*sheet.rig, problem));
   };
   EXPECT_EQ(place([](PoseProblem&) {}), "fine");
   EXPECT_EQ(place([](PoseProblem& p) { p.pairs.clear(); }), "");

@@ -68,6 +68,13 @@ double energy_by_hand(const rig::Rig& rig, const PoseProblem& problem, const rig
   return sum;
 }
 
+/// At rest but for these.
+rig::Pose answer_of(std::size_t count, const std::vector<std::pair<std::size_t, double>>& values) {
+  rig::Pose answer(count, 0.0);
+  for (const auto& [number, value] : values) answer[number] = value;
+  return answer;
+}
+
 TEST(Solve, FindsAKnownPoseOfAFewParameters) {
   const Face face(8);
   const rig::Pose answer{0.7, 0, 0.2, 0, 0.9, 0, 0, 0.4};
@@ -80,21 +87,14 @@ TEST(Solve, FindsAKnownPoseOfAFewParameters) {
 
 TEST(Solve, FindsAKnownPoseOfManyParametersInStages) {
   const Face face(60);
-  rig::Pose answer(60, 0.0);
-  answer[4] = 0.8;
-  answer[17] = 0.5;
-  answer[33] = 1.0;
-  const auto problem = known_answer(face, answer);
+  const auto problem = known_answer(face, answer_of(60, {{4, 0.8}, {17, 0.5}, {33, 1.0}}));
   const Solution solution = solved(*face.rig, problem);
   EXPECT_LT(solution.energy, 2e-3 * solution.energy_start);
 }
 
 TEST(Solve, TheSimplexAloneComesNear) {
   const Face face(30);
-  rig::Pose answer(30, 0.0);
-  answer[3] = 0.8;
-  answer[11] = 0.6;
-  const auto problem = known_answer(face, answer);
+  const auto problem = known_answer(face, answer_of(30, {{3, 0.8}, {11, 0.6}}));
   SolveOptions options;
   options.finish = false;
   const Solution solution = solved(*face.rig, problem, options);
@@ -217,10 +217,7 @@ TEST(Solve, OfManyFittingPosesItTakesTheOneNearTheStart) {
 
 TEST(Solve, TheSameProblemGivesTheSameBits) {
   const Face face(45);
-  rig::Pose answer(45, 0.0);
-  answer[7] = 0.4;
-  answer[30] = 0.9;
-  const auto problem = known_answer(face, answer);
+  const auto problem = known_answer(face, answer_of(45, {{7, 0.4}, {30, 0.9}}));
   SolveWorkspace used;
   const auto first = solve(*face.rig, problem, {}, used).value();
   const auto again = solve(*face.rig, problem, {}, used).value();

@@ -1,5 +1,6 @@
 // Decoding must not allocate: it runs between two reports of a device that sends a thousand a second.
 
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -60,6 +61,13 @@ std::vector<tests::Report> reports_of_all_kinds() {
   return reports;
 }
 
+std::array<DeviceIdentity, 2> on_both_buses(std::uint16_t product) {
+  std::array<DeviceIdentity, 2> devices{tests::device(k_vendor_wacom, product), tests::device(k_vendor_wacom, product)};
+  devices[0].bus = k_bus_usb;
+  devices[1].bus = k_bus_bluetooth;
+  return devices;
+}
+
 std::size_t allocations_of(HandDecoders& hand, const std::vector<tests::Report>& reports) {
   const std::size_t before = allocations;
   for (const tests::Report& report : reports) {
@@ -79,9 +87,7 @@ TEST(Allocation, CountingWorks) {
 TEST(Allocation, NoWacomDecoderAllocates) {
   const auto reports = reports_of_all_kinds();
   for (const WacomModel& model : wacom_models()) {
-    for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
-      DeviceIdentity device = tests::device(k_vendor_wacom, model.product);
-      device.bus = bus;
+    for (const DeviceIdentity& device : on_both_buses(model.product)) {
       auto made = make_decoder(device);
       if (!made) continue;
       EXPECT_EQ(allocations_of(*made->decoder, reports), 0u) << model.name;
@@ -113,9 +119,7 @@ TEST(Allocation, NoProtocolDecoderAllocates) {
 TEST(Allocation, NoHandDecoderAllocates) {
   const auto reports = reports_of_all_kinds();
   for (const WacomHand& known : wacom_hands()) {
-    for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
-      DeviceIdentity device = tests::device(k_vendor_wacom, known.product);
-      device.bus = bus;
+    for (const DeviceIdentity& device : on_both_buses(known.product)) {
       auto hand = make_hand_decoders(device);
       EXPECT_EQ(allocations_of(hand, reports), 0u) << std::hex << known.product;
     }

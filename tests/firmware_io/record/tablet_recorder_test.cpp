@@ -11,14 +11,7 @@
 namespace penpose::record {
 namespace {
 
-decode::DeviceIdentity ink_pen() {
-  decode::DeviceIdentity identity;
-  identity.vendor = 0x1b96;
-  identity.product = 0x1000;
-  identity.name = "Ink pen";
-  identity.report_descriptor = tests::ink_descriptor();
-  return identity;
-}
+decode::DeviceIdentity ink_pen() { return tests::ink_device(0x1000, "Ink pen"); }
 
 decode::PenSample touching_pen() {
   decode::PenSample sample;

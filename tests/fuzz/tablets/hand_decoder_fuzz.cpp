@@ -2,7 +2,7 @@
 // its descriptor, the rest are reports (tests/support/hands/hand_reports.h).
 
 #include "firmware_io/decode/wacom/hand/wacom_hands.h"
-#include "firmware_io/decode/wacom/wacom_models.h"
+#include "tests/support/hands/chosen_device.h"
 #include "tests/support/hands/hand_reports.h"
 
 using namespace penpose;
@@ -12,21 +12,7 @@ namespace {
 decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
   decode::DeviceIdentity device;
   const std::uint8_t choice = reader.read<std::uint8_t>().value_or(0);
-  const auto hands = decode::wacom_hands();
-  device.vendor = decode::k_vendor_wacom;
-  if (choice < hands.size()) {
-    device.product = hands[choice].product;
-    device.bus = decode::find_wacom_hand(decode::k_bus_usb, device.vendor, device.product) != nullptr
-                     ? decode::k_bus_usb
-                     : decode::k_bus_bluetooth;
-  } else if (choice < 240) {
-    const auto tablets = decode::known_tablets().tablets();
-    const auto& tablet = tablets[(choice - hands.size()) * 3 % tablets.size()];
-    const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
-    device.vendor = identifier.vendor;
-    device.product = identifier.product;
-    device.input_report_length = identifier.input_report_length;
-  } else {
+  if (!fuzz::choose_known(device, choice, decode::wacom_hands(), decode::find_wacom_hand, 3)) {
     device.product = choice % 4 == 0 ? 0x0357 : 0xfff0;  // described; the first turns its ring round
     if (choice % 2 == 1) device.vendor = 0x1b96;
   }

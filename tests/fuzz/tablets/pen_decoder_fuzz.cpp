@@ -7,7 +7,7 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/sample/pen_events.h"
-#include "firmware_io/decode/wacom/wacom_models.h"
+#include "tests/support/hands/chosen_device.h"
 
 using namespace penpose;
 
@@ -16,24 +16,8 @@ namespace {
 decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
   decode::DeviceIdentity device;
   const std::uint8_t choice = reader.read<std::uint8_t>().value_or(0);
-  const auto models = decode::wacom_models();
-  device.vendor = decode::k_vendor_wacom;
-  if (choice < models.size()) {
-    device.product = models[choice].product;
-    device.bus = decode::find_wacom_model(decode::k_bus_usb, device.vendor, device.product) != nullptr
-                     ? decode::k_bus_usb
-                     : decode::k_bus_bluetooth;
-  } else if (choice < 240) {
-    // A tablet of the other table, beside whatever its descriptor will be.
-    const auto tablets = decode::known_tablets().tablets();
-    const auto& tablet = tablets[(choice - models.size()) * 4 % tablets.size()];
-    const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
-    device.vendor = identifier.vendor;
-    device.product = identifier.product;
-    device.input_report_length = identifier.input_report_length;
-    device.output_report_length = identifier.output_report_length;
-    device.feature_report_length = identifier.feature_report_length;
-  } else {
+  // Beside a tablet of the other table is whatever its descriptor will be.
+  if (!fuzz::choose_known(device, choice, decode::wacom_models(), decode::find_wacom_model, 4)) {
     device.product = 0xffff;  // in no table
     if (choice % 2 == 0) device.vendor = 0x1b96;
   }

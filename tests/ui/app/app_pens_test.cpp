@@ -12,6 +12,16 @@
 namespace penpose::app {
 namespace {
 
+/// Tablet 1 tells of a pen that is pressed down at these places.
+void draw_with_pen(Desk& desk, const std::vector<PxPoint>& line) {
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
+  for (const PxPoint& at : line) {
+    desk.now_us += 3333;
+    desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+  }
+}
+
 TEST(AppPens, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   Desk desk("unplug");
   desk.begin();
@@ -20,22 +30,14 @@ TEST(AppPens, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   desk.app->of<TabletEvents>().arrived(1, identity);
   const auto line = desk.named_curve(any_curve(desk));
   const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
-  for (const PxPoint& at : line) {
-    desk.now_us += 3333;
-    desk.app->of<TabletEvents>().report(1, desk.now_us,
-                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
-  }
+  draw_with_pen(desk, line);
   EXPECT_EQ(desk.document().curves.size(), 0U);
   desk.app->of<TabletEvents>().left(1, "Test Tablet");
   EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn is kept";
   EXPECT_EQ(desk.app->of<Notices>().all().back().text, "Test Tablet was unplugged");
   // It comes back under its number and goes on.
   desk.app->of<TabletEvents>().arrived(1, identity);
-  for (const PxPoint& at : desk.named_curve(any_curve(desk), {0, 12})) {
-    desk.now_us += 3333;
-    desk.app->of<TabletEvents>().report(1, desk.now_us,
-                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
-  }
+  draw_with_pen(desk, desk.named_curve(any_curve(desk), {0, 12}));
   desk.app->of<TabletEvents>().report(1, desk.now_us,
                                       replay::virtual_pen_report({{0, 0}, 0, true, false, false, false}, viewport));
   ASSERT_EQ(desk.document().curves.size(), 1U);
@@ -56,12 +58,9 @@ TEST(AppPens, TabletsThatArePluggedInDrawOnTheNextModelToo) {
   const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   const PxPoint middle{viewport.width * 0.5, viewport.height * 0.5};
   desk.now_us += 2'000'000;
-  for (int i = 0; i < 40; ++i) {
-    desk.now_us += 3333;
-    const PxPoint at{middle.x - 40 + 2 * i, middle.y};
-    desk.app->of<TabletEvents>().report(1, desk.now_us,
-                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
-  }
+  std::vector<PxPoint> line;
+  for (int i = 0; i < 40; ++i) line.push_back({middle.x - 40 + 2 * i, middle.y});
+  draw_with_pen(desk, line);
   EXPECT_TRUE(desk.app->of<EditingSession>().session().pens().draws(1)) << "its stroke has begun";
 }
 

@@ -7,6 +7,7 @@
 
 #include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
+#include "tests/support/app_replay.h"
 #include "ui/files/load_model.h"
 #include "ui/files/trace_file.h"
 
@@ -23,12 +24,7 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
     // Sketch one control around the chin.
     deformers = desk.document().model->deformers->size();
-    desk.click("Rig");
-    const auto mouth = desk.named_curve(any_curve(desk));
-    const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
-    desk.stroke(around(middle, 60, 32));
-    desk.stroke(around(middle, 28, 14));
-    desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
+    sketch_chin(desk);
     ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->of<Notices>().all().back().text;
     EXPECT_FALSE(desk.document().pending);
     EXPECT_EQ(desk.app->of<Controls>().selected(), desk.document().model->deformers->deformers().back()->sketch().name)
@@ -60,11 +56,7 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
   document::DocumentHasher hasher;
   EXPECT_EQ(hasher(*again), saved) << "what was saved opens as it was";
   // The session of it replays to the same document.
-  const auto file = files::open_trace(session);
-  ASSERT_TRUE(file.ok()) << file.error().line(session);
-  replay::PlayerOptions options;
-  options.open = [](const std::string& path) { return files::load_document(path); };
-  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  const auto played = replayed(session);
   ASSERT_TRUE(played.ok());
   EXPECT_EQ(played->differing, 0U);
   EXPECT_GT(played->checked, 5U);
@@ -126,9 +118,7 @@ TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
 TEST(App, ALockedParameterIsNotMovedByAStroke) {
   Desk desk("lock");
   desk.begin();
-  pose_mouth(desk);
-  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
-  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
+  const std::string moved = moved_with_mouth(desk);
   desk.press('z', true);
   desk.press('z', true);
   desk.app->of<EditingSession>().perform(document::LockParameters{{moved}, true});
@@ -141,9 +131,7 @@ TEST(App, ALockedParameterIsNotMovedByAStroke) {
 TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
   Desk desk("not_this_one");
   desk.begin();
-  pose_mouth(desk);
-  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
-  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
+  const std::string moved = moved_with_mouth(desk);
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   const rig::Pose meant = desk.document().pose;
   lock_parameters(desk.app->of<EditingSession>(), {moved}, true);

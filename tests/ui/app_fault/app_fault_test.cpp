@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 
 #include "tests/support/app_desk.h"
-#include "tests/support/command_run.h"
+#include "tests/ui/fault/fault_run.h"
 #include "tests/ui/fault/faults.h"
 #include "ui/files/files.h"
 
@@ -21,16 +21,11 @@ using tests::FaultPlan;
 
 constexpr std::size_t k_usual_runs = 40;  // spread over all calls
 
-class AppFaults : public tests::CommandRun {
+class AppFaults : public tests::FaultRun {
  protected:
   void SetUp() override {
     CommandRun::SetUp();
-    save("face.obj",
-         std::string("v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0 0.2\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"));
-    save("smile.obj",
-         std::string(
-             "v 0 0.3 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0.3 0.2\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"));
-    ASSERT_EQ(run({"convert", path("face.obj"), "--shapes", path("smile.obj"), path("face.glb")}), 0) << error_;
+    save_face({"v 0 0.3 0", "v 2 0.3 0.2"});
   }
 
   /// What somebody does in a few minutes, with the plan from the first stroke on. Gives whether it could be saved.

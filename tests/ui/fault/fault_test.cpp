@@ -5,7 +5,7 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 
-#include "tests/support/command_run.h"
+#include "tests/ui/fault/fault_run.h"
 #include "tests/ui/fault/faults.h"
 #include "ui/files/files.h"
 
@@ -16,16 +16,11 @@ using Command = std::vector<std::string>;
 
 constexpr std::size_t k_usual_runs = 150;  // of a command, spread over all of its calls
 
-class Faults : public CommandRun {
+class Faults : public FaultRun {
  protected:
   void SetUp() override {
     CommandRun::SetUp();
-    save("face.obj",
-         std::string("v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0 0.2\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"));
-    save("smile.obj",
-         std::string(
-             "v 0 0 0.5\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0 0.2\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n"));
-    EXPECT_EQ(run({"convert", path("face.obj"), "--shapes", path("smile.obj"), path("face.glb")}), 0) << error_;
+    save_face({"v 0 0 0.5", "v 2 0 0.2"});
     save("cases.json",
          std::string(R"({"cases":[{"name":"a","references":[{"vertices":[0,1],"target":[[0,0,0.2],[1,0,0]]}]}]})"));
     save("track.json",

@@ -11,6 +11,7 @@
 
 #include "replay/session/session_player.h"
 #include "tests/support/command_run.h"
+#include "tests/support/killed.h"
 #include "tests/support/random_session.h"
 
 namespace penpose::files {
@@ -145,21 +146,11 @@ TEST(AppendFile, NoStrokeThatHadEndedIsLostWhenTheProgramIsKilled) {
   std::size_t most = 0;
   for (int round = 0; round < 200; ++round) {
     std::filesystem::remove(path);
-    int ends[2];
-    ASSERT_EQ(::pipe(ends), 0);
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      ::close(ends[0]);
-      draw_for_ever(path, ends[1], static_cast<std::uint64_t>(round));
-    }
-    ::close(ends[1]);
-    ::usleep(static_cast<useconds_t>(random.below(60000)));
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
     std::size_t ended = 0;
-    for (char byte = 0; ::read(ends[0], &byte, 1) == 1;) ++ended;
-    ::close(ends[0]);
+    tests::told_until_killed(
+        static_cast<useconds_t>(random.below(60000)),
+        [&](int pipe) { draw_for_ever(path, pipe, static_cast<std::uint64_t>(round)); }, ended);
+    if (testing::Test::HasFatalFailure()) return;
 
     const std::string text = content_of(path);
     replay::PlayerOptions options;

@@ -100,6 +100,12 @@ class FilePortalTest : public testing::Test {
     return answer;
   }
 
+  void expect_missed_within(milliseconds time) {
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_EQ(ask(question_).kind, Kind::unavailable);
+    EXPECT_LT(std::chrono::steady_clock::now() - began, time);
+  }
+
   FileQuestion question_{false, "Open", "x11:1a", "/tmp", {}, {{"Models", {".glb", ".obj"}}, {"Every file", {}}}};
   std::unique_ptr<Program> bus_;
   std::unique_ptr<Program> service_;
@@ -143,9 +149,7 @@ TEST_F(FilePortalTest, WhatRefusesOrEndsOtherwiseIsNone) {
 
 TEST_F(FilePortalTest, OneThatDiesInTheMiddleIsMissed) {
   if (!start("dies")) GTEST_SKIP();
-  const auto began = std::chrono::steady_clock::now();
-  EXPECT_EQ(ask(question_).kind, Kind::unavailable);
-  EXPECT_LT(std::chrono::steady_clock::now() - began, milliseconds(1500));
+  expect_missed_within(milliseconds(1500));
 }
 
 TEST_F(FilePortalTest, ABusThatDiesInTheMiddleIsMissed) {
@@ -159,9 +163,7 @@ TEST_F(FilePortalTest, ABusThatDiesInTheMiddleIsMissed) {
 
 TEST_F(FilePortalTest, OneThatSaysNothingIsMissedWithinAMoment) {
   if (!start("silent")) GTEST_SKIP();
-  const auto began = std::chrono::steady_clock::now();
-  EXPECT_EQ(ask(question_).kind, Kind::unavailable);
-  EXPECT_LT(std::chrono::steady_clock::now() - began, milliseconds(3500));
+  expect_missed_within(milliseconds(3500));
 }
 
 TEST_F(FilePortalTest, WithoutAServiceOrABusThereIsNoneAtOnce) {

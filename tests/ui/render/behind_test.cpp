@@ -4,10 +4,18 @@
 namespace penpose::render {
 namespace {
 
-class BehindTheModel : public EachWay {};
-INSTANTIATE_TEST_SUITE_P(Ways, BehindTheModel, testing::ValuesIn(built_in_ways()), way_name);
-
 constexpr geometry::Viewport k_viewport{200, 100};
+
+class BehindTheModel : public EachWay {
+ protected:
+  void SetUp() override {
+    renderer = make_renderer(GetParam());
+    ASSERT_NE(renderer, nullptr);
+  }
+  std::unique_ptr<Renderer> renderer;
+  const geometry::Camera camera = geometry::Camera::make({}, k_viewport).value();
+};
+INSTANTIATE_TEST_SUITE_P(Ways, BehindTheModel, testing::ValuesIn(built_in_ways()), way_name);
 
 std::shared_ptr<const Image> plain(std::uint8_t top, std::uint8_t bottom) {
   auto image = std::make_shared<Image>(Image{8, 8, {}});
@@ -21,9 +29,6 @@ std::shared_ptr<const Image> plain(std::uint8_t top, std::uint8_t bottom) {
 }
 
 TEST_P(BehindTheModel, ThePictureStandsWhereItsCornersAreWithItsTopAbove) {
-  const auto renderer = make_renderer(GetParam());
-  ASSERT_NE(renderer, nullptr);
-  const auto camera = geometry::Camera::make({}, k_viewport).value();
   const Image before = renderer->render({}, camera).value();
   renderer->set_behind({plain(200, 50), {40, 20}, {120, 60}, 1});
   const Image image = renderer->render({}, camera).value();
@@ -38,9 +43,6 @@ TEST_P(BehindTheModel, ThePictureStandsWhereItsCornersAreWithItsTopAbove) {
 }
 
 TEST_P(BehindTheModel, HalfOfItShowsAtHalfItsOpacity) {
-  const auto renderer = make_renderer(GetParam());
-  ASSERT_NE(renderer, nullptr);
-  const auto camera = geometry::Camera::make({}, k_viewport).value();
   const Image before = renderer->render({}, camera).value();
   renderer->set_behind({plain(200, 200), {0, 0}, {200, 100}, 0.5F});
   const Image image = renderer->render({}, camera).value();
@@ -48,13 +50,11 @@ TEST_P(BehindTheModel, HalfOfItShowsAtHalfItsOpacity) {
 }
 
 TEST_P(BehindTheModel, TheModelIsInFrontOfIt) {
-  const auto renderer = make_renderer(GetParam());
-  ASSERT_NE(renderer, nullptr);
   const Shown shown(sphere_model(1));
-  const auto camera = frame_points(shown.positions, k_viewport);
-  const Image alone = renderer->render(shown.scene(), camera).value();
+  const auto near = frame_points(shown.positions, k_viewport);
+  const Image alone = renderer->render(shown.scene(), near).value();
   renderer->set_behind({plain(200, 200), {0, 0}, {200, 100}, 1});
-  const Image image = renderer->render(shown.scene(), camera).value();
+  const Image image = renderer->render(shown.scene(), near).value();
   EXPECT_TRUE(std::equal(image.at(100, 50), image.at(100, 50) + 4, alone.at(100, 50)));
   EXPECT_NEAR(image.at(5, 5)[0], 200, 2);
 }

@@ -8,11 +8,8 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_least = 0.5;
-constexpr double k_most = 4;
-constexpr double k_scale_one_dpi = 96;
-constexpr double k_least_dpi = 24;
-constexpr double k_most_dpi = 768;
+constexpr double k_least = 0.5, k_most = 4;
+constexpr double k_scale_one_dpi = 96, k_least_dpi = 24, k_most_dpi = 768;
 
 bool heeded(double scale) { return scale >= k_least && scale <= k_most; }
 

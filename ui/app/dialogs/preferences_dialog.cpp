@@ -187,23 +187,8 @@ void show_preferences_dialog(PanelContext& context, const EditingSession& editin
     if (to >= 0) tab = static_cast<Tab>(to);
     constexpr float k_rows = 6;
     begin_list(context, "preferences", {0, k_rows * (context.unit + ImGui::GetStyle().ItemSpacing.y)});
-    switch (tab) {
-      case Tab::view:
-        show_view(context, with);
-        break;
-      case Tab::pen:
-        show_pen(context, with);
-        break;
-      case Tab::keys:
-        show_keys(context, with);
-        break;
-      case Tab::time:
-        show_time(context, with);
-        break;
-      case Tab::folders:
-        show_folders(context, with);
-        break;
-    }
+    constexpr std::array k_shown{show_view, show_pen, show_keys, show_time, show_folders};
+    k_shown[static_cast<std::size_t>(tab)](context, with);
     ImGui::EndChild();
     if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }

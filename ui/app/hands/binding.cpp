@@ -16,15 +16,22 @@ struct Word {
   T value;
   std::string_view word;   ///< in settings
   std::string_view label;  ///< on buttons
+  std::string_view tip;
 };
 
-constexpr std::array k_views{Word<ViewHold>{ViewHold::turn, "turn", "Turn view"},
-                             Word<ViewHold>{ViewHold::move, "move", "Move view"},
-                             Word<ViewHold>{ViewHold::zoom, "zoom", "Zoom view"}};
-constexpr std::array k_dials{
-    Word<DialUse>{DialUse::time, "time", "Time"},          Word<DialUse>{DialUse::zoom, "zoom", "Zoom"},
-    Word<DialUse>{DialUse::turn, "turn", "Turn"},          Word<DialUse>{DialUse::control, "control", "Control"},
-    Word<DialUse>{DialUse::undo, "undo", "Undo and redo"}, Word<DialUse>{DialUse::keys, "keys", "Key to key"}};
+constexpr std::string_view k_view_tip = "While it is held the pen moves the view and draws nothing";
+
+constexpr std::array k_views{Word<ViewHold>{ViewHold::turn, "turn", "Turn view", k_view_tip},
+                             Word<ViewHold>{ViewHold::move, "move", "Move view", k_view_tip},
+                             Word<ViewHold>{ViewHold::zoom, "zoom", "Zoom view", k_view_tip}};
+constexpr auto k_dials =
+    std::to_array<Word<DialUse>>({{DialUse::time, "time", "Time", "The timeline's cursor, a frame for each notch"},
+                                  {DialUse::zoom, "zoom", "Zoom", "Nearer and farther, about the pen where it is near"},
+                                  {DialUse::turn, "turn", "Turn", "The view, about the model"},
+                                  {DialUse::control, "control", "Control",
+                                   "The value of the control that is selected, or that the last stroke moved most"},
+                                  {DialUse::undo, "undo", "Undo and redo", "Back and forth through what was done"},
+                                  {DialUse::keys, "keys", "Key to key", "From key to key of the timeline"}});
 
 template <typename T, std::size_t n>
 const Word<T>* by_value(const std::array<Word<T>, n>& words, T value) {
@@ -83,30 +90,10 @@ DialUse default_use(const PadControl& control) {
 
 }  // namespace
 
-Binding binding_of(Action action) {
-  Binding made;
-  made.kind = Kind::action;
-  made.action = action;
-  return made;
-}
-Binding binding_of(ViewHold view) {
-  Binding made;
-  made.kind = Kind::view;
-  made.view = view;
-  return made;
-}
-Binding binding_of(ToolKind tool) {
-  Binding made;
-  made.kind = Kind::tool;
-  made.tool = tool;
-  return made;
-}
-Binding binding_of(DialUse dial) {
-  Binding made;
-  made.kind = Kind::dial;
-  made.dial = dial;
-  return made;
-}
+Binding binding_of(Action action) { return {.kind = Kind::action, .action = action}; }
+Binding binding_of(ViewHold view) { return {.kind = Kind::view, .view = view}; }
+Binding binding_of(ToolKind tool) { return {.kind = Kind::tool, .tool = tool}; }
+Binding binding_of(DialUse dial) { return {.kind = Kind::dial, .dial = dial}; }
 
 std::string to_text(const Binding& binding) {
   switch (binding.kind) {
@@ -186,7 +173,7 @@ std::string tip_of(const Binding& binding) {
     case Kind::action:
       return std::string(info(binding.action).tip);
     case Kind::view:
-      return "While it is held the pen moves the view and draws nothing";
+      return std::string(by_value(k_views, binding.view)->tip);
     case Kind::tool:
       return "While it is held; then the tool is again the one that it was";
     case Kind::pen_menu:
@@ -194,21 +181,7 @@ std::string tip_of(const Binding& binding) {
     case Kind::next_mode:
       return "Rings, strips and wheels do the next of their four things";
     case Kind::dial:
-      break;
-  }
-  switch (binding.dial) {
-    case DialUse::time:
-      return "The timeline's cursor, a frame for each notch";
-    case DialUse::zoom:
-      return "Nearer and farther, about the pen where it is near";
-    case DialUse::turn:
-      return "The view, about the model";
-    case DialUse::control:
-      return "The value of the control that is selected, or that the last stroke moved most";
-    case DialUse::undo:
-      return "Back and forth through what was done";
-    case DialUse::keys:
-      return "From key to key of the timeline";
+      return std::string(by_value(k_dials, binding.dial)->tip);
   }
   return {};
 }

@@ -10,8 +10,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_zoom_per_notch = 0.95;
-constexpr double k_degrees_per_notch = 5;
+constexpr double k_zoom_per_notch = 0.95, k_degrees_per_notch = 5;
 /// A control goes from end to end with one and a half turns of a ring.
 constexpr double k_control_notches = 54;
 /// Steps back and forth shall not come by accident, and a ring's notches are close together.

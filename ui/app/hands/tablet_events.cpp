@@ -13,8 +13,7 @@ namespace {
 using decode::PadEventKind;
 using decode::PenEventKind;
 
-constexpr std::int8_t k_low_battery = 15;
-constexpr std::int8_t k_charged_again = 25;
+constexpr std::int8_t k_low_battery = 15, k_charged_again = 25;
 
 /// Kept, because what they do may make others.
 std::vector<replay::HandMoment> hand_moments(const EditingSession& editing) {

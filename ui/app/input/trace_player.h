@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 #include "firmware_io/decode/sample/device_identity.h"
 #include "replay/session/session_player.h"
@@ -25,12 +26,8 @@ class TracePlayer {
   [[nodiscard]] bool is_session() const { return is_session_; }
 
   /// Told of a device of the trace: that it came, what its pen and the other hand did, that it is gone.
-  class Listener {
+  class Listener : public base::Interface {
    public:
-    virtual ~Listener() = default;
-    Listener() = default;
-    Listener(const Listener&) = delete;
-    Listener& operator=(const Listener&) = delete;
     virtual void on_device(int device, const decode::DeviceIdentity& identity) = 0;
     virtual void on_moments(int device, std::span<const replay::PenMoment> pen,
                             std::span<const replay::HandMoment> hand) = 0;

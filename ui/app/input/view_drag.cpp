@@ -6,9 +6,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_degrees_per_px = 0.35;
-constexpr double k_zoom_per_px = 0.005;
-constexpr double k_click_px = 5;
+constexpr double k_degrees_per_px = 0.35, k_zoom_per_px = 0.005, k_click_px = 5;
 
 }  // namespace
 

@@ -3,18 +3,14 @@
 #include <cstddef>
 #include <span>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 
 namespace penpose::app {
 
 /// What samples are heard by. Samples wait in a queue until they are; the window's is SDL's, tests have their own.
-class SoundOutput {
+class SoundOutput : public base::Interface {
  public:
-  SoundOutput() = default;
-  virtual ~SoundOutput() = default;
-  SoundOutput(const SoundOutput&) = delete;
-  SoundOutput& operator=(const SoundOutput&) = delete;
-
   /// Makes it ready for samples of a rate, Hz, with an empty queue. Errors: no device.
   virtual base::Status open(int rate_hz) = 0;
   /// Lets the device go, so that it takes no time.

@@ -3,21 +3,17 @@
 // Arc: the path of a curve's middle over time is redrawn, or its frames are pulled along it.
 
 namespace penpose::app {
-namespace {
-
-std::string hint(const ToolSight& sight) {
-  if (sight.document.timeline->keys.size() < 2) return "Key two poses first: then the way between them is an arc";
-  if (sight.performs) return "Redraw a part of an arc at the pace that it should have";
-  return "Redraw a part of an arc from one of its frames to another, or pull a frame along it";
-}
-
-}  // namespace
 
 WindowTool arc_tool() {
   return {.kind = drawing::ToolKind::none,
           .button = {"tool_arc", "Arc", "Redraw the paths of features over time, and pull their frames",
                      "A12 20 10 200 340M6 15L4 11M12 12L12 7M18 15L20 11", plain_key('w')},
-          .hint = hint,
+          .hint = [](const ToolSight& sight) -> std::string {
+            if (sight.document.timeline->keys.size() < 2)
+              return "Key two poses first: then the way between them is an arc";
+            if (sight.performs) return "Redraw a part of an arc at the pace that it should have";
+            return "Redraw a part of an arc from one of its frames to another, or pull a frame along it";
+          },
           .to_draw = [](const ToolSight&) -> std::string {
             return "begin on a frame of an arc and end on another one of it";
           },

@@ -7,20 +7,10 @@
 namespace penpose::app {
 namespace {
 
-using articulation::CurveRole;
-
 std::string hint(const ToolSight& sight) {
   if (!sight.document.pending) return "1 of 4: draw around everything that a new control may move";
-  switch (drawing::next_step(sight.document, sight.tool)) {
-    case CurveRole::general:
-      return "1 of 4: draw around everything that may move";
-    case CurveRole::specific:
-      return "2 of 4: draw around the part that moves fully";
-    case CurveRole::reference:
-      return "3 of 4: draw along the feature as it is now";
-    case CurveRole::target:
-      break;
-  }
+  const auto step = drawing::next_step(sight.document, sight.tool);
+  if (step != articulation::CurveRole::target) return hint_of(step);
   return sight.tool.draw_reference ? "4 of 4: draw where the feature should go"
                                    : "4 of 4: draw where it should go (step 3, the feature, is found for you)";
 }

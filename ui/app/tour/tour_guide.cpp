@@ -15,9 +15,7 @@ using document::Command;
 using geometry::ModelPoint;
 
 // How far lines may stray in the mean, px of the picture in which the tour was drawn.
-constexpr double k_feature_px = 20;
-constexpr double k_target_px = 20;
-constexpr double k_lasso_px = 34;
+constexpr double k_feature_px = 20, k_target_px = 20, k_lasso_px = 34;
 constexpr double k_near_s = 0.25;
 /// A slider that was pulled so much of the way is at its end.
 constexpr double k_pulled = 0.75;

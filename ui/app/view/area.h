@@ -8,10 +8,7 @@ using geometry::PxPoint;
 
 /// A rectangle of the window in px.
 struct Area {
-  double left = 0;
-  double top = 0;
-  double right = 0;
-  double bottom = 0;
+  double left = 0, top = 0, right = 0, bottom = 0;
 
   [[nodiscard]] double width() const { return right - left; }
   [[nodiscard]] double height() const { return bottom - top; }

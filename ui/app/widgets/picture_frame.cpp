@@ -18,8 +18,7 @@ using geometry::ModelPoint;
 /// A vertex is where a control works if it moves by this share of the most that the control moves any.
 constexpr double k_much = 0.7;
 /// Room around a part, and around a face, whose parts end at the brows and the chin: shares of the picture.
-constexpr double k_around_part = 0.12;
-constexpr double k_around_face = 0.22;
+constexpr double k_around_part = 0.12, k_around_face = 0.22;
 
 std::vector<ModelPoint> posed(const rig::Rig& rig, const rig::Pose& pose) {
   std::vector<ModelPoint> positions(rig.vertex_count());

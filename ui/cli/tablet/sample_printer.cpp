@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/numbers.h"
@@ -28,25 +29,24 @@ std::array<std::pair<std::string_view, const Axis*>, k_axes> named(const PenAxes
            {"wheel", &axes.wheel}}};
 }
 
-template <typename T>
-void append(std::string& out, T number) {
-  std::array<char, 24> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  out.append(text.data(), end);
+/// Texts as they are, and integers.
+template <typename... Parts>
+void append(std::string& out, const Parts&... parts) {
+  const auto one = [&out](const auto& part) {
+    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>) {
+      std::array<char, 24> text;
+      const auto end = std::to_chars(text.data(), text.data() + text.size(), part).ptr;
+      out.append(text.data(), end);
+    } else {
+      out += part;
+    }
+  };
+  (one(parts), ...);
 }
 
 std::string_view name_of(Tool tool) {
-  switch (tool) {
-    case Tool::none:
-      return "";
-    case Tool::pen:
-      return "pen";
-    case Tool::eraser:
-      return "eraser";
-    case Tool::mouse:
-      return "mouse";
-  }
-  return "";
+  constexpr std::string_view k_names[] = {"", "pen", "eraser", "mouse"};
+  return k_names[static_cast<std::size_t>(tool)];
 }
 
 void append_cell(std::string& out, const Axis& axis, std::int32_t value) {
@@ -54,22 +54,15 @@ void append_cell(std::string& out, const Axis& axis, std::int32_t value) {
   out += ',';
 }
 
-void append_flag(std::string& out, bool flag) { out += flag ? '1' : '0'; }
+std::string_view digit(bool flag) { return flag ? "1" : "0"; }
 
 }  // namespace
 
 void append_csv_axes(std::string& out, const PenAxes& axes) {
   for (const auto& [name, axis] : named(axes)) {
     if (!axis->present) continue;
-    out += "# axis ";
-    out += name;
-    out += ' ';
-    append(out, axis->minimum);
-    out += ' ';
-    append(out, axis->maximum);
-    out += ' ';
-    out += base::format_double(axis->units_per_mm);
-    out += '\n';
+    append(out, "# axis ", name, " ", axis->minimum, " ", axis->maximum, " ", base::format_double(axis->units_per_mm),
+           "\n");
   }
 }
 
@@ -82,31 +75,14 @@ void append_csv_header(std::string& out, const PenAxes& axes, bool with_device) 
 void append_csv_row(std::string& out, const PrintedSample& printed, bool with_device) {
   const PenSample& sample = *printed.sample;
   const PenAxes& axes = *printed.axes;
-  append(out, printed.report);
-  out += ',';
-  append(out, printed.time_us);
-  out += ',';
-  append(out, sample.x);
-  out += ',';
-  append(out, sample.y);
-  out += ',';
+  append(out, printed.report, ",", printed.time_us, ",", sample.x, ",", sample.y, ",");
   append_cell(out, axes.pressure, sample.pressure);
   append_cell(out, axes.tilt_x, sample.tilt_x);
   append_cell(out, axes.tilt_y, sample.tilt_y);
   append_cell(out, axes.distance, sample.distance);
-  append_flag(out, sample.in_range);
-  out += ',';
-  out += name_of(sample.tool);
-  out += ',';
-  append_flag(out, sample.tip);
-  out += ',';
-  append_flag(out, (sample.buttons & 1) != 0);
-  out += ',';
-  append_flag(out, (sample.buttons & 2) != 0);
-  if (with_device) {
-    out += ',';
-    append(out, printed.device);
-  }
+  append(out, digit(sample.in_range), ",", name_of(sample.tool), ",", digit(sample.tip), ",",
+         digit((sample.buttons & 1) != 0), ",", digit((sample.buttons & 2) != 0));
+  if (with_device) append(out, ",", printed.device);
   out += '\n';
 }
 
@@ -114,36 +90,20 @@ void append_json_axes(std::string& out, const PenAxes& axes) {
   bool first = true;
   for (const auto& [name, axis] : named(axes)) {
     if (!axis->present) continue;
-    if (!first) out += ", ";
+    append(out, first ? "\"" : ", \"", name, "\": {\"min\": ", axis->minimum, ", \"max\": ", axis->maximum,
+           ", \"units_per_mm\": ", base::format_double(axis->units_per_mm), "}");
     first = false;
-    out += '"';
-    out += name;
-    out += "\": {\"min\": ";
-    append(out, axis->minimum);
-    out += ", \"max\": ";
-    append(out, axis->maximum);
-    out += ", \"units_per_mm\": ";
-    out += base::format_double(axis->units_per_mm);
-    out += '}';
   }
 }
 
 void append_json_sample(std::string& out, const PrintedSample& printed) {
   const PenSample& sample = *printed.sample;
   const PenAxes& axes = *printed.axes;
-  const auto member = [&](std::string_view name, auto value) {
-    out += ", \"";
-    out += name;
-    out += "\": ";
-    append(out, value);
-  };
+  const auto member = [&](std::string_view name, auto value) { append(out, ", \"", name, "\": ", value); };
   const auto flag = [&](std::string_view name, bool value) {
-    out += ", \"";
-    out += name;
-    out += value ? "\": true" : "\": false";
+    append(out, ", \"", name, value ? "\": true" : "\": false");
   };
-  out += "\"report\": ";
-  append(out, printed.report);
+  append(out, "\"report\": ", printed.report);
   member("time_us", printed.time_us);
   member("device", printed.device);
   member("x", sample.x);
@@ -159,9 +119,7 @@ void append_json_sample(std::string& out, const PrintedSample& printed) {
   if (sample.tool == Tool::none) {
     out += "null";
   } else {
-    out += '"';
-    out += name_of(sample.tool);
-    out += '"';
+    append(out, "\"", name_of(sample.tool), "\"");
   }
   flag("tip", sample.tip);
   member("buttons", sample.buttons);

@@ -2,15 +2,15 @@
 
 #include <csignal>
 
+#include "core/base/interface.h"
+
 namespace penpose::files {
 
 /// While it lives, Ctrl-C and the other ways of asking a program to end only set a flag; afterwards they end it again.
-class StopSignal {
+class StopSignal : base::Fixed {
  public:
   StopSignal();
   ~StopSignal();
-  StopSignal(const StopSignal&) = delete;
-  StopSignal& operator=(const StopSignal&) = delete;
 
   [[nodiscard]] static bool asked();
 

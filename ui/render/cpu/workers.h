@@ -3,17 +3,17 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/interface.h"
+
 namespace penpose::render {
 
 /// Threads that share work on pictures, this one among them. Without a second processor, or where the program may not
 /// start threads, this one does all of it.
-class Workers {
+class Workers : base::Fixed {
  public:
   /// `most`: threads in all, at least 1.
   explicit Workers(unsigned most);
   ~Workers();
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
 
   /// Calls `work(index, worker)` for each index below `count`, in any order; `worker` counts the threads from 0. Comes
   /// back when all is done. `work` must not throw.

@@ -6,10 +6,7 @@ namespace penpose::render {
 
 /// A colour in linear light, 0..1, with straight alpha.
 struct Color {
-  float r = 0;
-  float g = 0;
-  float b = 0;
-  float a = 1;
+  float r = 0, g = 0, b = 0, a = 1;
   friend bool operator==(const Color&, const Color&) = default;
 };
 

@@ -42,9 +42,7 @@ struct SketchCurve {
 };
 Changed run(const Document&, const SketchCurve&, ApplyParts&);
 
-struct CancelDeformer : NoMembers {
-  static constexpr Called k_called{"cancel_deformer", "Cancel a new control"};
-};
+using CancelDeformer = Plain<NoMembers, "cancel_deformer", "Cancel a new control">;
 Changed run(const Document&, const CancelDeformer&, ApplyParts&);
 
 /// Draws one curve of a deformer again; a reference without points is inferred. The parameter keeps its value.
@@ -81,14 +79,10 @@ struct ChangeDeformer {
 Changed run(const Document&, const ChangeDeformer&, ApplyParts&);
 
 /// Adds the same deformer on the model's other side; without a name that of articulation::mirrored_name.
-struct MirrorDeformer : OfDeformer {
-  static constexpr Called k_called{"mirror_deformer", "Mirror a control"};
-};
+using MirrorDeformer = Plain<OfDeformer, "mirror_deformer", "Mirror a control">;
 Changed run(const Document&, const MirrorDeformer&, ApplyParts&);
 
-struct RenameDeformer : OfDeformer {
-  static constexpr Called k_called{"rename_deformer", "Rename a control"};
-};
+using RenameDeformer = Plain<OfDeformer, "rename_deformer", "Rename a control">;
 Changed run(const Document&, const RenameDeformer&, ApplyParts&);
 
 struct DeleteDeformer {

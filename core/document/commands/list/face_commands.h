@@ -14,9 +14,7 @@ namespace penpose::document {
 /// they ask for. A line in a view of another side, at another time, or after the last drawing was kept as neutral
 /// begins a new drawing; what was drawn before goes. On a model without features the line is a reference, or the target
 /// of one that waits. Errors: too many lines, a line without length; those of FaceReader.
-struct DrawFaceLine : DrawnLine {
-  static constexpr Called k_called{"draw_face_line", "Draw a line of the face"};
-};
+using DrawFaceLine = Plain<DrawnLine, "draw_face_line", "Draw a line of the face">;
 Changed run(const Document&, const DrawFaceLine&, ApplyParts&);
 
 /// Says what a line of the face is, and reads the drawing again. Errors: no such line, no such feature.

@@ -20,9 +20,7 @@ namespace penpose::document {
 enum class Preset : std::uint8_t { meant, exact, paper };
 
 /// Draws a reference curve on the posed surface.
-struct DrawReference : DrawnLine {
-  static constexpr Called k_called{"draw_reference", "Draw a feature"};
-};
+using DrawReference = Plain<DrawnLine, "draw_reference", "Draw a feature">;
 Changed run(const Document&, const DrawReference&, ApplyParts&);
 
 /// Draws (again) where a reference should go, and solves.
@@ -73,9 +71,7 @@ struct PullTarget {
 Changed run(const Document&, const PullTarget&, ApplyParts&);
 
 /// Draws a curve that should stay where it is now.
-struct DrawConstraint : DrawnLine {
-  static constexpr Called k_called{"draw_constraint", "Hold a line"};
-};
+using DrawConstraint = Plain<DrawnLine, "draw_constraint", "Hold a line">;
 Changed run(const Document&, const DrawConstraint&, ApplyParts&);
 
 /// Pins one point of the surface where it is now.
@@ -88,26 +84,18 @@ struct Pin {
 Changed run(const Document&, const Pin&, ApplyParts&);
 
 /// Turns a reference into a constraint where its points are now.
-struct KeepCurve : OfCurve {
-  static constexpr Called k_called{"keep_curve", "Keep a line"};
-};
+using KeepCurve = Plain<OfCurve, "keep_curve", "Keep a line">;
 Changed run(const Document&, const KeepCurve&, ApplyParts&);
 
-struct DeleteCurve : OfCurve {
-  static constexpr Called k_called{"delete_curve", "Delete a line"};
-};
+using DeleteCurve = Plain<OfCurve, "delete_curve", "Delete a line">;
 Changed run(const Document&, const DeleteCurve&, ApplyParts&);
 
 /// Deletes every curve that is seen under a stroke.
-struct EraseCurves : DrawnLine {
-  static constexpr Called k_called{"erase_curves", "Erase"};
-};
+using EraseCurves = Plain<DrawnLine, "erase_curves", "Erase">;
 Changed run(const Document&, const EraseCurves&, ApplyParts&);
 
 /// Deletes all curves of the posing tool; the pose stays.
-struct ClearCurves : NoMembers {
-  static constexpr Called k_called{"clear_curves", "Clear all lines"};
-};
+using ClearCurves = Plain<NoMembers, "clear_curves", "Clear all lines">;
 Changed run(const Document&, const ClearCurves&, ApplyParts&);
 
 /// Solves the curves that are there, from the pose as it is.
@@ -142,9 +130,7 @@ struct NameCurve {
 };
 Changed run(const Document&, const NameCurve&, ApplyParts&);
 
-struct DeleteNamedCurve : OfName {
-  static constexpr Called k_called{"delete_named_curve", "Delete a named line"};
-};
+using DeleteNamedCurve = Plain<OfName, "delete_named_curve", "Delete a named line">;
 Changed run(const Document&, const DeleteNamedCurve&, ApplyParts&);
 
 using PosingCommands = std::variant<DrawReference, DrawTarget, OversketchTarget, DragTarget, PullTarget, DrawConstraint,

@@ -114,10 +114,7 @@ Changed run(const Document& document, const SetMouth& command, Parts&) {
 
 Changed run(const Document& document, const DeleteMouth& command, Parts&) {
   Document changed = document;
-  const auto found = std::find_if(changed.mouths.begin(), changed.mouths.end(),
-                                  [&](const auto& one) { return one->name == command.name; });
-  if (found == changed.mouths.end()) return base::Error{"there is no mouth of that name", "name", ""};
-  changed.mouths.erase(found);
+  if (!erase_named(changed.mouths, command.name)) return base::Error{"there is no mouth of that name", "name", ""};
   if (!document.spoken) return changed;
   SpokenMouths spoken = *document.spoken;
   std::erase_if(spoken, [&](const SpokenMouth& one) { return one.mouth == command.name; });

@@ -27,9 +27,7 @@ struct SetSound {
 Changed run(const Document&, const SetSound&, ApplyParts&);
 
 /// Errors: there is no sound.
-struct RemoveSound : NoMembers {
-  static constexpr Called k_called{"remove_sound", "Take the sound away"};
-};
+using RemoveSound = Plain<NoMembers, "remove_sound", "Take the sound away">;
 Changed run(const Document&, const RemoveSound&, ApplyParts&);
 
 /// Lets the sound begin at another moment of the timeline; a negative one cuts its beginning. Errors: there is no
@@ -52,9 +50,7 @@ struct SetMouth {
 Changed run(const Document&, const SetMouth&, ApplyParts&);
 
 /// Forgets a mouth; keys that were made of it stay. Errors: no such mouth.
-struct DeleteMouth : OfName {
-  static constexpr Called k_called{"delete_mouth", "Delete a mouth"};
-};
+using DeleteMouth = Plain<OfName, "delete_mouth", "Delete a mouth">;
 Changed run(const Document&, const DeleteMouth&, ApplyParts&);
 
 /// Keys mouths at moments as KeyPoses does, with the controls that these mouths move and no others. Which mouth is

@@ -272,10 +272,7 @@ Changed run(const Document& document, const SaveView& command, Parts&) {
 
 Changed run(const Document& document, const DeleteView& command, Parts&) {
   Document changed = document;
-  const auto named = std::find_if(changed.views.begin(), changed.views.end(),
-                                  [&](const auto& one) { return one->name == command.name; });
-  if (named == changed.views.end()) return base::Error{"there is no view of that name", "name", ""};
-  changed.views.erase(named);
+  if (!erase_named(changed.views, command.name)) return base::Error{"there is no view of that name", "name", ""};
   return changed;
 }
 

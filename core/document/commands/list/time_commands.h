@@ -117,9 +117,7 @@ struct Tween {
 Changed run(const Document&, const Tween&, ApplyParts&);
 
 /// Takes the pose of the timeline at a moment.
-struct GoToTime : AtTime {
-  static constexpr Called k_called{"go_to_time", "Go to a moment"};
-};
+using GoToTime = Plain<AtTime, "go_to_time", "Go to a moment">;
 Changed run(const Document&, const GoToTime&, ApplyParts&);
 
 /// Keeps a view under a name, in place of one of that name.
@@ -131,9 +129,7 @@ struct SaveView {
 };
 Changed run(const Document&, const SaveView&, ApplyParts&);
 
-struct DeleteView : OfName {
-  static constexpr Called k_called{"delete_view", "Delete a view"};
-};
+using DeleteView = Plain<OfName, "delete_view", "Delete a view">;
 Changed run(const Document&, const DeleteView&, ApplyParts&);
 
 using TimeCommands = std::variant<SetKey, KeyPoses, DeleteKeys, MoveKeys, SetKeyKind, SetKeyValues, SetKeySlopes, Tween,

@@ -57,22 +57,11 @@ class PathDrawer {
   }
 
   bool draw_one(char kind) {
-    switch (kind) {
-      case 'm':
-      case 'l':
-        return draw_line(kind);
-      case 'h':
-      case 'v':
-        return draw_level(kind);
-      case 'c':
-      case 's':
-        return draw_cubic(kind);
-      case 'q':
-      case 't':
-        return draw_quadratic(kind);
-      default:
-        return draw_arc();
-    }
+    if (kind == 'm' || kind == 'l') return draw_line(kind);
+    if (kind == 'h' || kind == 'v') return draw_level(kind);
+    if (kind == 'c' || kind == 's') return draw_cubic(kind);
+    if (kind == 'q' || kind == 't') return draw_quadratic(kind);
+    return draw_arc();
   }
 
   bool draw_line(char kind) {

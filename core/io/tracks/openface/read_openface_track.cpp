@@ -16,21 +16,29 @@ namespace penpose::io {
 
 namespace {
 
+/// The numbers of columns by their names; false where one is missing.
+template <std::size_t count, typename NameOf>
+bool find_columns(const CsvReader& table, std::array<std::size_t, count>& columns, const NameOf& name_of) {
+  const auto names = table.columns();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto found = std::find(names.begin(), names.end(), name_of(i));
+    if (found == names.end()) return false;
+    columns[i] = static_cast<std::size_t>(found - names.begin());
+  }
+  return true;
+}
+
 /// The columns X_i, Y_i, Z_i: where the tracker's own model of the face has the points, mm, z away from the camera.
 /// Files without them are common.
 class SolidFace {
  public:
   explicit SolidFace(const CsvReader& table) {
-    const auto names = table.columns();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < k_ibug_points; ++i) {
-        const std::string name = std::string(1, "XYZ"[axis]) + "_" + std::to_string(i);
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end()) return;
-        columns_[axis][i] = static_cast<std::size_t>(found - names.begin());
-      }
-    }
     there_ = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      there_ = there_ && find_columns(table, columns_[axis], [axis](std::size_t i) {
+                 return std::string(1, "XYZ"[axis]) + "_" + std::to_string(i);
+               });
+    }
   }
 
   /// As common_depths, from the row itself. Empty where it has no face that could be one.
@@ -69,13 +77,7 @@ class SolidFace {
 class OwnTurn {
  public:
   explicit OwnTurn(const CsvReader& table) {
-    const auto names = table.columns();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto found = std::find(names.begin(), names.end(), std::string("pose_R") + "xyz"[axis]);
-      if (found == names.end()) return;
-      columns_[axis] = static_cast<std::size_t>(found - names.begin());
-    }
-    there_ = true;
+    there_ = find_columns(table, columns_, [](std::size_t axis) { return std::string("pose_R") + "xyz"[axis]; });
   }
 
   [[nodiscard]] std::optional<glm::dmat3> rotation(const CsvReader& table,
@@ -101,16 +103,12 @@ class OwnTurn {
 class OwnGaze {
  public:
   explicit OwnGaze(const CsvReader& table) {
-    const auto names = table.columns();
-    for (std::size_t eye = 0; eye < 2; ++eye) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::string name = "gaze_" + std::to_string(eye) + "_" + "xyz"[axis];
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end()) return;
-        columns_[eye][axis] = static_cast<std::size_t>(found - names.begin());
-      }
-    }
     there_ = true;
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      there_ = there_ && find_columns(table, columns_[eye], [eye](std::size_t axis) {
+                 return "gaze_" + std::to_string(eye) + "_" + "xyz"[axis];
+               });
+    }
   }
 
   /// Relative to the head, which stands as the tracker says, or looks into the camera where it says nothing.

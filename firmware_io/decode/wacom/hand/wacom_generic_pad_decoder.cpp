@@ -9,7 +9,6 @@ namespace {
 
 using hid::Field;
 using hid::ReportDescriptor;
-using hid::ReportType;
 using hid::Usage;
 
 /// How a model counts the places of its ring (Linux, wacom_wac_pad_event).
@@ -133,7 +132,7 @@ void Finder::add(const Field& field, std::uint32_t index, PadControl control) {
   control.in_block = is_wacom_function_keys(descriptor_, field) && !power;
   control.is_hand = control.in_block && control.role != PadRole::ring && control.role != PadRole::turn;
   control.place = DescribedControl(field, index);
-  layout_.report_length[field.report_id] = descriptor_.report_length(ReportType::input, field.report_id);
+  layout_.report_length[field.report_id] = descriptor_.report_length(hid::ReportType::input, field.report_id);
   layout_.controls.push_back(control);
 }
 
@@ -162,7 +161,7 @@ void Finder::add_field(const Field& field) {
 
 std::optional<PadLayout> Finder::run() {
   layout_.has_report_ids = descriptor_.has_report_ids;
-  for (const Field* field : fields_by_report(descriptor_, ReportType::input)) {
+  for (const Field* field : fields_by_report(descriptor_, hid::ReportType::input)) {
     if (!field->is_variable() || field->bit_size == 0 || field->bit_size > 32) continue;
     add_power(*field);
     const bool mapped = is_wacom_pen(descriptor_, *field) || is_wacom_finger(descriptor_, *field);

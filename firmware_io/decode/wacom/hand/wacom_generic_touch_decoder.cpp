@@ -1,6 +1,7 @@
 #include "firmware_io/decode/wacom/hand/wacom_generic_touch_decoder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "firmware_io/decode/wacom/wacom_usages.h"
 
@@ -9,35 +10,22 @@ namespace {
 
 using hid::Field;
 using hid::ReportDescriptor;
-using hid::ReportType;
 using hid::Usage;
-
-constexpr Usage k_contact_id = hid::usage(hid::k_page_digitizer, 0x51);
-constexpr Usage k_contact_count = hid::usage(hid::k_page_digitizer, 0x54);
-constexpr Usage k_contact_max = hid::usage(hid::k_page_digitizer, 0x55);
-constexpr Usage k_width = hid::usage(hid::k_page_digitizer, 0x48);
-constexpr Usage k_height = hid::usage(hid::k_page_digitizer, 0x49);
 
 /// Room for fingers where the tablet has to be asked for it, which a decoder cannot.
 constexpr unsigned k_assumed_contacts = 16;
 
 FingerRole role_of(Usage usage) {
-  switch (usage) {
-    case hid::k_x:
-      return FingerRole::x;
-    case hid::k_y:
-      return FingerRole::y;
-    case k_contact_id:
-      return FingerRole::id;
-    case hid::k_tip_switch:
-      return FingerRole::tip;
-    case hid::k_confidence:
-      return FingerRole::confidence;
-    case k_fingers_valid:
-      return FingerRole::valid;
-    default:
-      return FingerRole::other;
+  constexpr std::pair<Usage, FingerRole> k_roles[] = {{hid::k_x, FingerRole::x},
+                                                      {hid::k_y, FingerRole::y},
+                                                      {hid::k_contact_id, FingerRole::id},
+                                                      {hid::k_tip_switch, FingerRole::tip},
+                                                      {hid::k_confidence, FingerRole::confidence},
+                                                      {k_fingers_valid, FingerRole::valid}};
+  for (const auto& [known, role] : k_roles) {
+    if (known == usage) return role;
   }
+  return FingerRole::other;
 }
 
 /// Usages of which the last that a report has tells that all was said of a finger.
@@ -45,9 +33,9 @@ bool may_end_finger(Usage usage) {
   switch (usage) {
     case hid::k_x:
     case hid::k_y:
-    case k_width:
-    case k_height:
-    case k_contact_id:
+    case hid::k_contact_width:
+    case hid::k_contact_height:
+    case hid::k_contact_id:
     case hid::k_in_range:
     case hid::k_invert:
     case hid::k_tip_switch:
@@ -80,7 +68,7 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field->count, k_most_controls_of_field); ++i) {
       const Usage usage = standard_usage(field->usage_of(i));
       if (may_end_finger(usage)) last = usage;
-      if (usage == k_contact_count) report.count = DescribedControl(*field, i);
+      if (usage == hid::k_contact_count) report.count = DescribedControl(*field, i);
     }
   }
   std::int32_t group = -1;
@@ -108,7 +96,7 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
   if (report.controls.empty() || report.fingers == 0) return std::nullopt;
   report.controls.back().ends_group = true;
   report.id = fields.front()->report_id;
-  report.length = descriptor.report_length(ReportType::input, report.id);
+  report.length = descriptor.report_length(hid::ReportType::input, report.id);
   return report;
 }
 
@@ -117,7 +105,7 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
 std::optional<FingerLayout> find_wacom_fingers(const ReportDescriptor& descriptor) {
   FingerLayout layout;
   layout.has_report_ids = descriptor.has_report_ids;
-  const auto fields = fields_by_report(descriptor, ReportType::input);
+  const auto fields = fields_by_report(descriptor, hid::ReportType::input);
   for (std::size_t first = 0; first < fields.size();) {
     std::size_t end = first;
     while (end < fields.size() && fields[end]->report_id == fields[first]->report_id) ++end;
@@ -131,9 +119,10 @@ std::optional<FingerLayout> find_wacom_fingers(const ReportDescriptor& descripto
   if (layout.reports.empty() || !layout.axes.x.present || !layout.axes.y.present) return std::nullopt;
   layout.axes.contacts = 1;
   for (const Field& field : descriptor.fields) {
-    if (field.type == ReportType::feature && has_usage(field, k_contact_max)) layout.axes.contacts = k_assumed_contacts;
+    if (field.type == hid::ReportType::feature && has_usage(field, hid::k_contact_max))
+      layout.axes.contacts = k_assumed_contacts;
     const Usage application = descriptor.enclosing(field, hid::k_collection_application);
-    if (field.type == ReportType::input && application == hid::k_touch_screen) layout.axes.on_screen = true;
+    if (field.type == hid::ReportType::input && application == hid::k_touch_screen) layout.axes.on_screen = true;
   }
   return layout;
 }

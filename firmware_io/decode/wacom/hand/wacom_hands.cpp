@@ -1,9 +1,6 @@
 #include "firmware_io/decode/wacom/hand/wacom_hands.h"
 
-#include <algorithm>
-
-#include "firmware_io/decode/sample/device_identity.h"
-#include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/decode/wacom/find_product.h"
 
 namespace penpose::decode {
 namespace {
@@ -125,27 +122,12 @@ constexpr WacomHand k_hands[] = {
 };
 // clang-format on
 
-constexpr std::uint16_t k_lenovo_isdv4 = 0x6004;
-
-bool is_bluetooth_only(WacomPad pad) {
-  return pad == P::graphire_bluetooth || pad == P::intuos4_bluetooth || pad == P::intuos_pro_bluetooth ||
-         pad == P::intuos_2018_bluetooth;
-}
-
 }  // namespace
 
 std::span<const WacomHand> wacom_hands() { return k_hands; }
 
 const WacomHand* find_wacom_hand(std::uint16_t bus, std::uint16_t vendor, std::uint16_t product) {
-  const bool lenovo = vendor == k_vendor_lenovo && product == k_lenovo_isdv4;
-  if (vendor != k_vendor_wacom && !lenovo) return nullptr;
-  const auto* const end = std::end(k_hands);
-  const auto* const found = std::lower_bound(std::begin(k_hands), end, product,
-                                             [](const WacomHand& hand, std::uint16_t id) { return hand.product < id; });
-  if (found == end || found->product != product) return nullptr;
-  const std::uint16_t wanted = is_bluetooth_only(found->pad) ? k_bus_bluetooth : k_bus_usb;
-  if (bus != wanted || (product == k_lenovo_isdv4) != lenovo) return nullptr;
-  return found;
+  return find_product(std::span<const WacomHand>(k_hands), &WacomHand::pad, bus, vendor, product);
 }
 
 }  // namespace penpose::decode

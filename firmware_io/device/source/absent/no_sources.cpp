@@ -17,10 +17,7 @@ base::Error not_built_in() {
 
 class UsbStrings::Handle {};
 
-UsbStrings::UsbStrings(std::unique_ptr<Handle> handle) : handle_(std::move(handle)) {}
-UsbStrings::UsbStrings(UsbStrings&&) noexcept = default;
-UsbStrings& UsbStrings::operator=(UsbStrings&&) noexcept = default;
-UsbStrings::~UsbStrings() = default;
+UsbStrings::UsbStrings(base::Hidden<Handle> handle) : handle_(std::move(handle)) {}
 
 base::Result<UsbStrings> UsbStrings::open(const std::string&) { return not_built_in(); }
 base::Result<std::string> UsbStrings::read(std::uint8_t) const { return not_built_in(); }

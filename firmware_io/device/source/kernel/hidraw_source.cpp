@@ -10,16 +10,15 @@
 #include <unistd.h>
 
 #include "firmware_io/device/clock.h"
-#include "firmware_io/device/queue_gauge.h"
-#include "firmware_io/device/source/usb_strings.h"
+#include "firmware_io/device/source/hidraw_base.h"
 
 namespace penpose::device {
 namespace {
 
 /// Linux, Documentation/hid/hidraw.rst.
-class HidrawSource final : public ReportSource {
+class HidrawSource final : public HidrawBase {
  public:
-  HidrawSource(int file, std::string usb_node) : file_(file), usb_node_(std::move(usb_node)) {}
+  HidrawSource(int file, std::string usb_node) : HidrawBase(std::move(usb_node)), file_(file) {}
   ~HidrawSource() override { ::close(file_); }
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override {
@@ -47,21 +46,11 @@ class HidrawSource final : public ReportSource {
     std::vector<std::uint8_t> bytes(std::clamp<std::size_t>(length, 1, k_longest_report - 1));
     bytes[0] = id;
     const int got = ::ioctl(file_, HIDIOCGFEATURE(bytes.size()), bytes.data());
-    if (got < 0) return base::Error{"the device gives no report", "", ""};
-    bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(got)));
-    return bytes;
+    return received(std::move(bytes), got);
   }
-  base::Result<std::string> read_string(std::uint8_t index) override { return read_usb_string(usb_node_, index); }
 
  private:
-  static base::Status sent(ssize_t count) {
-    if (count < 0) return base::Error{"the device took no report", "", "plug it in again"};
-    return base::Done{};
-  }
-
   int file_;
-  QueueGauge gauge_;
-  std::string usb_node_;
 };
 
 }  // namespace

@@ -30,15 +30,12 @@ class UsbStrings::Handle {
   int file;
 };
 
-UsbStrings::UsbStrings(std::unique_ptr<Handle> handle) : handle_(std::move(handle)) {}
-UsbStrings::UsbStrings(UsbStrings&&) noexcept = default;
-UsbStrings& UsbStrings::operator=(UsbStrings&&) noexcept = default;
-UsbStrings::~UsbStrings() = default;
+UsbStrings::UsbStrings(base::Hidden<Handle> handle) : handle_(std::move(handle)) {}
 
 base::Result<UsbStrings> UsbStrings::open(const std::string& usb_node) {
   const int file = ::open(usb_node.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0) return system_error("cannot be opened", usb_node);
-  return UsbStrings(std::make_unique<Handle>(file));
+  return UsbStrings(base::make_hidden<Handle>(file));
 }
 
 base::Result<std::string> UsbStrings::read(std::uint8_t index) const {

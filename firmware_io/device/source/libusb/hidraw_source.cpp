@@ -5,8 +5,7 @@
 #include <hidapi/hidapi.h>
 
 #include "firmware_io/device/clock.h"
-#include "firmware_io/device/queue_gauge.h"
-#include "firmware_io/device/source/usb_strings.h"
+#include "firmware_io/device/source/hidraw_base.h"
 
 namespace penpose::device {
 namespace {
@@ -16,9 +15,9 @@ struct Close {
 };
 using Handle = std::unique_ptr<hid_device, Close>;
 
-class HidrawSource final : public ReportSource {
+class HidrawSource final : public HidrawBase {
  public:
-  HidrawSource(Handle handle, std::string usb_node) : handle_(std::move(handle)), usb_node_(std::move(usb_node)) {}
+  HidrawSource(Handle handle, std::string usb_node) : HidrawBase(std::move(usb_node)), handle_(std::move(handle)) {}
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override {
     errno = 0;
@@ -44,21 +43,11 @@ class HidrawSource final : public ReportSource {
     std::vector<std::uint8_t> bytes(length);
     if (!bytes.empty()) bytes[0] = id;
     const int got = hid_get_feature_report(handle_.get(), bytes.data(), bytes.size());
-    if (got < 0) return base::Error{"the device gives no report", "", ""};
-    bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(got)));
-    return bytes;
+    return received(std::move(bytes), got);
   }
-  base::Result<std::string> read_string(std::uint8_t index) override { return read_usb_string(usb_node_, index); }
 
  private:
-  static base::Status sent(int count) {
-    if (count < 0) return base::Error{"the device took no report", "", "plug it in again"};
-    return base::Done{};
-  }
-
   Handle handle_;
-  QueueGauge gauge_;
-  std::string usb_node_;
 };
 
 }  // namespace

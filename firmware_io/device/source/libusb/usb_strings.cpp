@@ -10,15 +10,12 @@ class UsbStrings::Handle {
   UsbHandle usb;
 };
 
-UsbStrings::UsbStrings(std::unique_ptr<Handle> handle) : handle_(std::move(handle)) {}
-UsbStrings::UsbStrings(UsbStrings&&) noexcept = default;
-UsbStrings& UsbStrings::operator=(UsbStrings&&) noexcept = default;
-UsbStrings::~UsbStrings() = default;
+UsbStrings::UsbStrings(base::Hidden<Handle> handle) : handle_(std::move(handle)) {}
 
 base::Result<UsbStrings> UsbStrings::open(const std::string& usb_node) {
   auto usb = UsbHandle::open(usb_node);
   if (!usb) return usb.error();
-  return UsbStrings(std::make_unique<Handle>(std::move(usb).value()));
+  return UsbStrings(base::make_hidden<Handle>(std::move(usb).value()));
 }
 
 base::Result<std::string> UsbStrings::read(std::uint8_t index) const { return get_string(handle_->usb, index); }

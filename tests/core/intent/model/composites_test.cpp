@@ -10,22 +10,10 @@ namespace {
 
 using tests::Face;
 
-/// Adds a control that does what others do, each times a factor.
-Face& sum(Face& face, const char* name, const std::vector<std::pair<std::size_t, double>>& parts) {
-  std::vector<geometry::ModelVector> ways(face.mesh->vertex_count(), geometry::ModelVector{0});
-  for (const auto& [shape, by] : parts) {
-    const rig::BlendShape& one = face.shapes[shape];
-    for (std::size_t i = 0; i < one.vertices.size(); ++i)
-      ways[one.vertices[i]] += geometry::ModelVector(one.deltas[i]) * by;
-  }
-  std::uint32_t v = 0;
-  return face.control(name, [&](double, double) { return ways[v++]; });
-}
-
 TEST(Composites, AnExpressionIsTheSumOfItsShapes) {
   Face face = tests::usual_face();
-  sum(face, "joy", {{0, 1.0}, {1, 1.0}, {2, 0.5}});
-  sum(face, "aa", {{5, 0.4}, {4, 0.6}});
+  face.sum("joy", {{0, 1.0}, {1, 1.0}, {2, 0.5}});
+  face.sum("aa", {{5, 0.4}, {4, 0.6}});
   face.ready();
   const WholeModel whole = measure_whole_model(*face.rig);
   const Composite& joy = whole.composites[face.number("joy")];
@@ -43,7 +31,7 @@ TEST(Composites, AnExpressionIsTheSumOfItsShapes) {
 TEST(Composites, WhatGoesFartherThanAnyOtherIsNoSum) {
   // The half of a shape is the shape by half; twice a shape is more than that can.
   Face face = tests::usual_face();
-  sum(face, "half", {{0, 0.5}});
+  face.sum("half", {{0, 0.5}});
   face.ready();
   const WholeModel whole = measure_whole_model(*face.rig);
   for (const Composite& one : whole.composites) EXPECT_EQ(one.parts, 1.0);

@@ -15,10 +15,6 @@ using tests::Face;
 using tests::fade;
 using tests::Line;
 
-Solution read(const Face& face, const tests::Points& points, const Line& line) {
-  return face.solve(face.problem({face.drawn(points, line)}));
-}
-
 /// A smile that lifts the corners and leaves the middle, and lips that are pressed: all of the line comes up a little.
 Face mouth_face() {
   Face face;
@@ -40,7 +36,7 @@ TEST(Near, ASmallSmileDrawnALittleTooHighIsNoPressedLips) {
     for (auto& p : line) p.y -= 6;
     line = tests::shaken(line, 0.7, seed);
     const std::vector<std::size_t> smile{face.number("smile")};
-    const Solution solution = read(face, Face::mouth(), line);
+    const Solution solution = face.read(Face::mouth(), line);
     EXPECT_EQ(solution.moved, smile) << seed;
     EXPECT_NEAR(solution.pose[face.number("smile")], 0.3, 0.16) << seed;
   }
@@ -50,7 +46,7 @@ TEST(Near, WhatIsPressedIsPressed) {
   const Face face = mouth_face();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"press", 0.7}})), 0.7, seed);
-    const Solution solution = read(face, Face::mouth(), line);
+    const Solution solution = face.read(Face::mouth(), line);
     EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("press")}) << seed;
   }
 }
@@ -94,7 +90,7 @@ TEST(Near, AnArcDrawnFarAwayIsOneControlsRatherThanTwos) {
       line[i].y += 60 * (1 - at * at);
     }
     line = tests::shaken(line, 1, seed);
-    EXPECT_EQ(read(face, Face::mouth(), line).moved.size(), 1U) << seed;
+    EXPECT_EQ(face.read(Face::mouth(), line).moved.size(), 1U) << seed;
   }
 }
 

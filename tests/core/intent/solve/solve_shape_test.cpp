@@ -13,10 +13,6 @@ using tests::Face;
 using tests::fade;
 using tests::Line;
 
-Solution read(const Face& face, const tests::Points& points, const Line& line) {
-  return face.solve(face.problem({face.drawn(points, line)}));
-}
-
 /// A smile drawn with its middle below where it was: what moves the lips up everywhere cannot be brought there.
 Line deep_smile(const Face& face, double down_px) {
   Line line = face.seen(Face::mouth(), face.pose({{"smile", 0.8}}));
@@ -28,7 +24,7 @@ TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
   const Face face = tests::smiling_face(false);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(deep_smile(face, 37), 1, seed);
-    const Solution solution = read(face, Face::mouth(), line);
+    const Solution solution = face.read(Face::mouth(), line);
     EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
     EXPECT_GT(solution.pose[face.number("smile")], 0.1) << seed << ": as near as it comes";
   }
@@ -39,7 +35,7 @@ TEST(Shape, ALineMovedAsAWholeIsStillThat) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const rig::Pose answer = face.pose({{"browLeft", 0.7}});
     const Line line = tests::shaken(face.seen(Face::left_brow(), answer), 1.5, seed);
-    const Solution solution = read(face, Face::left_brow(), line);
+    const Solution solution = face.read(Face::left_brow(), line);
     EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
     EXPECT_LT(face.error(solution.pose, answer), 0.15) << seed;
   }
@@ -57,7 +53,7 @@ TEST(Shape, OfAPairThatTheStrokesSeeOneSideOfThatSideMoves) {
   face.ready();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::left_brow(), face.pose({{"raiseLeft", 0.9}})), 2, seed);
-    const Solution solution = read(face, Face::left_brow(), line);
+    const Solution solution = face.read(Face::left_brow(), line);
     EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
   }
 }

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "tests/support/error_of.h"
+
 namespace penpose::io {
 namespace {
 
 base::Result<document::Model> read(const std::string& text) { return read_obj(base::as_bytes(text)); }
-base::Error error(const std::string& text) {
-  const auto model = read(text);
-  return model ? base::Error{"(no error)", "", ""} : model.error();
-}
+base::Error error(const std::string& text) { return tests::error_of(read(text)); }
 
 constexpr const char* k_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "core/document/model.h"
+#include "tests/support/error_of.h"
 
 namespace penpose::io {
 namespace {
 
 base::Result<document::Model> read(const std::string& text) { return read_ply(base::as_bytes(text)); }
-base::Error error(const std::string& text) {
-  const auto model = read(text);
-  return model ? base::Error{"(no error)", "", ""} : model.error();
-}
+base::Error error(const std::string& text) { return tests::error_of(read(text)); }
 
 std::string header(const std::string& format, const std::string& vertices = "4", const std::string& faces = "1") {
   return "ply\nformat " + format + " 1.0\ncomment made by a test\nelement vertex " + vertices +

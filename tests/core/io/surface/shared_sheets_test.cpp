@@ -10,13 +10,19 @@
 namespace penpose::io {
 namespace {
 
-class SharedSheets : public testing::TestWithParam<const char*> {};
+class SharedSheets : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (!tests::has_shared()) GTEST_SKIP();
+    auto model = read_model(tests::read_file(tests::shared_dir() / "meshes" / GetParam()), GetParam());
+    ASSERT_TRUE(model.ok());
+    mesh_ = model->mesh;
+  }
+  std::shared_ptr<const mesh::TriangleMesh> mesh_;
+};
 
 TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
-  if (!tests::has_shared()) GTEST_SKIP();
-  auto model = read_model(tests::read_file(tests::shared_dir() / "meshes" / GetParam()), GetParam());
-  ASSERT_TRUE(model.ok());
-  const mesh::TriangleMesh& mesh = *model->mesh;
+  const mesh::TriangleMesh& mesh = *mesh_;
   tests::SheetLines sheet_lines(mesh);
   tests::Random random(11);
   int drawn = 0;
@@ -37,6 +43,14 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
     drawn += sheet_lines.check(line, camera, length, i) ? 1 : 0;
   }
   EXPECT_GT(drawn, 200);
+}
+
+TEST_P(SharedSheets, LinesOverSeamsNeverLeaveTheSheetThatTheyAreOn) {
+  tests::SheetLines lines(*mesh_);
+  EXPECT_GT(lines.draw(400, 11, false), 200);
+  if (lines.seam_count() > 50) {
+    EXPECT_GT(lines.draw(400, 12, true), 100) << "along seams";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, SharedSheets,

@@ -146,13 +146,17 @@ void expect_near(const Head& head, const std::vector<FoundCurve>& found, const s
   }
 }
 
-TEST(FindFeatures, FindsLipsAndLidsOfAHeadWithoutNames) {
-  const Head head = changed({});
+void expect_all_near(const Head& head) {
   const auto found = found_on(head);
   expect_near(head, found, k_seams);
   expect_near(head, found, k_borders, true);
   expect_near(head, found, k_lids);
   expect_near(head, found, k_brows, true);
+}
+
+TEST(FindFeatures, FindsLipsAndLidsOfAHeadWithoutNames) {
+  const Head head = changed({});
+  expect_all_near(head);
 }
 
 TEST(FindFeatures, FindsBrowsAndLipsThatAreAMaterialOfTheirOwn) {
@@ -169,11 +173,7 @@ TEST(FindFeatures, FindsThemWhateverTheSizeTheFrontAndTheOrder) {
         Change{.scale = 0.01, .mirrored = true, .shuffled = true}}) {
     SCOPED_TRACE(testing::Message() << change.scale << " " << change.yaw_degrees << " " << change.shuffled);
     const Head head = changed(change);
-    const auto found = found_on(head);
-    expect_near(head, found, k_seams);
-    expect_near(head, found, k_borders, true);
-    expect_near(head, found, k_lids);
-    expect_near(head, found, k_brows, true);
+    expect_all_near(head);
   }
 }
 

@@ -17,11 +17,9 @@ using Report = std::vector<std::uint8_t>;
 
 /// What a pen does at one moment, and what of it a protocol can say.
 struct Pen {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
+  std::int32_t x = 0, y = 0;
   std::int32_t pressure = 0;
-  std::int32_t tilt_x = 0;
-  std::int32_t tilt_y = 0;
+  std::int32_t tilt_x = 0, tilt_y = 0;
   std::uint32_t buttons = 0;
   bool eraser = false;
 };
@@ -43,6 +41,9 @@ class Writer {
   Writer& buttons(std::size_t at, int bit, const Pen& pen) {
     return u8(at, static_cast<std::int64_t>(pen.buttons) << bit);
   }
+  /// Place and pressure, two bytes each.
+  Writer& place(std::size_t at, const Pen& pen) { return u16(at, pen.x).u16(at + 2, pen.y).u16(at + 4, pen.pressure); }
+  Writer& tilts(std::size_t at, const Pen& pen) { return u8(at, pen.tilt_x).u8(at + 1, pen.tilt_y); }
   [[nodiscard]] Report done() const { return bytes_; }
 
  private:
@@ -60,19 +61,11 @@ struct Maker {
 };
 
 Report flat(std::size_t length, int id, int state, const Pen& pen) {
-  return Writer(length, {id, state})
-      .u16(2, pen.x)
-      .u16(4, pen.y)
-      .u16(6, pen.pressure)
-      .buttons(1, 1, pen)
-      .bit(1, 0, pen.pressure > 0)
-      .done();
+  return Writer(length, {id, state}).place(2, pen).buttons(1, 1, pen).bit(1, 0, pen.pressure > 0).done();
 }
 Report flat_tilt(int id, int state, const Pen& pen, int sign_x, int sign_y) {
   return Writer(12, {id, state})
-      .u16(2, pen.x)
-      .u16(4, pen.y)
-      .u16(6, pen.pressure)
+      .place(2, pen)
       .buttons(1, 1, pen)
       .bit(1, 0, pen.pressure > 0)
       .u8(10, sign_x * pen.tilt_x)
@@ -81,8 +74,8 @@ Report flat_tilt(int id, int state, const Pen& pen, int sign_x, int sign_y) {
 }
 Report xp(std::size_t length, int pressure_extra, const Pen& pen) {
   Writer report(length, {0x02, 0xa0});
-  report.u16(2, pen.x).u16(4, pen.y).u16(6, pen.pressure).u8(7, pressure_extra).buttons(1, 1, pen);
-  report.bit(1, 0, pen.pressure > 0).bit(1, 3, pen.eraser).u8(8, pen.tilt_x).u8(9, pen.tilt_y);
+  report.place(2, pen).u8(7, pressure_extra).buttons(1, 1, pen);
+  report.bit(1, 0, pen.pressure > 0).bit(1, 3, pen.eraser).tilts(8, pen);
   if (length >= 12) report.u8(10, pen.x >> 16).u8(11, pen.y >> 16);
   return report.done();
 }
@@ -103,9 +96,7 @@ Report big_endian(int id, const Pen& pen) {
 }
 Report bamboo(const Pen& pen) {
   return Writer(9, {0x02, 0x80})
-      .u16(2, pen.x)
-      .u16(4, pen.y)
-      .u16(6, pen.pressure)
+      .place(2, pen)
       .bit(1, 0, pen.pressure > 0)
       .buttons(1, 1, pen)
       .bit(1, 5, pen.eraser)
@@ -185,7 +176,7 @@ const std::vector<Maker>& makers() {
        }},
       {"veikk_a15", 16, 8191, 2, false, false,
        [](const Pen& pen) {
-         return Writer(9, {9, 0x41, 0xa0}).u16(3, pen.x).u16(5, pen.y).u16(7, pen.pressure).buttons(2, 1, pen).done();
+         return Writer(9, {9, 0x41, 0xa0}).place(3, pen).buttons(2, 1, pen).done();
        }},
       {"veikk_tilt", 24, 8191, 2, true, false,
        [](const Pen& pen) {
@@ -194,24 +185,21 @@ const std::vector<Maker>& makers() {
              .u24(6, pen.y)
              .u16(9, pen.pressure)
              .buttons(2, 1, pen)
-             .u8(11, pen.tilt_x)
-             .u8(12, pen.tilt_y)
+             .tilts(11, pen)
              .done();
        }},
       {"veikk_v1", 16, 8191, 3, false, false,
        [](const Pen& pen) {
-         return Writer(9, {9, 0x41, 0xa0}).u16(3, pen.x).u16(5, pen.y).u16(7, pen.pressure).buttons(2, 1, pen).done();
+         return Writer(9, {9, 0x41, 0xa0}).place(3, pen).buttons(2, 1, pen).done();
        }},
       {"acepen", 16, 8191, 2, false, false,
        [](const Pen& pen) {
-         return Writer(11, {9, 0x41, 0xa0}).u16(3, pen.x).u16(5, pen.y).u16(7, pen.pressure).buttons(2, 1, pen).done();
+         return Writer(11, {9, 0x41, 0xa0}).place(3, pen).buttons(2, 1, pen).done();
        }},
       {"floogoo_fma", 16, 32767, 2, true, true,
        [](const Pen& pen) {
          return Writer(12, {1, 0x20})
-             .u16(2, pen.x)
-             .u16(4, pen.y)
-             .u16(6, pen.pressure)
+             .place(2, pen)
              .buttons(1, 1, pen)
              .bit(1, 3, pen.eraser)
              .u16(8, pen.tilt_x)
@@ -235,7 +223,7 @@ const std::vector<Maker>& makers() {
        }},
       {"robotpen", 16, 511, 0, false, false,
        [](const Pen& pen) {
-         return Writer(12, {2, 0x42}).u16(6, pen.x).u16(8, pen.y).u16(10, pen.pressure).done();
+         return Writer(12, {2, 0x42}).place(6, pen).done();
        }},
       {"viewsonic_woodpad", 16, 4095, 2, false, false,
        [](const Pen& pen) {
@@ -250,25 +238,11 @@ const std::vector<Maker>& makers() {
        }},
       {"xenx", 16, 8191, 2, false, true,
        [](const Pen& pen) {
-         return Writer(8, {1, 0x80})
-             .u16(2, pen.x)
-             .u16(4, pen.y)
-             .u16(6, pen.pressure)
-             .buttons(1, 1, pen)
-             .bit(1, 6, pen.eraser)
-             .done();
+         return Writer(8, {1, 0x80}).place(2, pen).buttons(1, 1, pen).bit(1, 6, pen.eraser).done();
        }},
       {"xencelabs", 16, 8191, 3, true, true,
        [](const Pen& pen) {
-         return Writer(10, {2, 0x20})
-             .u16(2, pen.x)
-             .u16(4, pen.y)
-             .u16(6, pen.pressure)
-             .buttons(1, 1, pen)
-             .bit(1, 6, pen.eraser)
-             .u8(8, pen.tilt_x)
-             .u8(9, pen.tilt_y)
-             .done();
+         return Writer(10, {2, 0x20}).place(2, pen).buttons(1, 1, pen).bit(1, 6, pen.eraser).tilts(8, pen).done();
        }},
       {"wacom_intuos", 16, 2047, 2, false, true,
        [](const Pen& pen) {
@@ -280,23 +254,11 @@ const std::vector<Maker>& makers() {
       {"wacom_graphire", 16, 511, 2, false, true, bamboo},
       {"wacom_bamboo_pad", 16, 511, 1, false, true,
        [](const Pen& pen) {
-         return Writer(32, {0x10, 1})
-             .u16(3, pen.x)
-             .u16(5, pen.y)
-             .u16(7, pen.pressure)
-             .buttons(2, 1, pen)
-             .bit(2, 3, pen.eraser)
-             .done();
+         return Writer(32, {0x10, 1}).place(3, pen).buttons(2, 1, pen).bit(2, 3, pen.eraser).done();
        }},
       {"wacom_ptu", 16, 511, 1, false, true,
        [](const Pen& pen) {
-         return Writer(8, {2, 0x20})
-             .u16(2, pen.x)
-             .u16(4, pen.y)
-             .u16(6, pen.pressure)
-             .buttons(1, 1, pen)
-             .bit(1, 2, pen.eraser)
-             .done();
+         return Writer(8, {2, 0x20}).place(2, pen).buttons(1, 1, pen).bit(1, 2, pen.eraser).done();
        }},
       {"wacom_pl", 16, 511, 1, false, false, wacom_pl},
       {"wacom_intuos_v1", 17, 2047, 2, true, false, [](const Pen& pen) { return big_endian(0x02, pen); }},
@@ -311,8 +273,7 @@ const std::vector<Maker>& makers() {
              .u24(2, pen.x)
              .u24(5, pen.y)
              .u16(8, pen.pressure)
-             .u8(10, pen.tilt_x)
-             .u8(11, pen.tilt_y)
+             .tilts(10, pen)
              .bit(1, 0, pen.pressure > 0)
              .buttons(1, 1, pen)
              .bit(1, 4, pen.eraser)

@@ -72,19 +72,9 @@ TEST(BitNumber, SaysHowLongAReportMustBe) {
 }
 
 TEST(BitTest, EachForm) {
-  EXPECT_TRUE(holds(""));
-  EXPECT_TRUE(holds("1.0"));
-  EXPECT_FALSE(holds("1.1"));
-  EXPECT_TRUE(holds("!1.1"));
-  EXPECT_TRUE(holds("0=02"));
-  EXPECT_TRUE(holds("0=10/02"));
-  EXPECT_FALSE(holds("0=10/03"));
-  EXPECT_FALSE(holds("0!=02"));
-  EXPECT_TRUE(holds("1&f0=e0"));
-  EXPECT_TRUE(holds("1&f0!=a0"));
-  EXPECT_TRUE(holds("length>=10"));
-  EXPECT_FALSE(holds("length>=11"));
-  EXPECT_FALSE(holds("1.0 0=03"));
+  for (const char* test : {"", "1.0", "!1.1", "0=02", "0=10/02", "1&f0=e0", "1&f0!=a0", "length>=10"})
+    EXPECT_TRUE(holds(test)) << test;
+  for (const char* test : {"1.1", "0=10/03", "0!=02", "length>=11", "1.0 0=03"}) EXPECT_FALSE(holds(test)) << test;
 }
 
 TEST(BitTest, ComparesWithUpToFourValuesWhateverTheByteIs) {

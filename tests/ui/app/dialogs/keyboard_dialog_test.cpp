@@ -126,13 +126,7 @@ TEST(KeyboardDialog, ItFitsSmallScreens) {
   for (const auto& [width, height] : {std::pair{800, 600}, std::pair{480, 320}}) {
     desk.app->of<Pointer>().resized({width, height}, 96);
     desk.frames();
-    for (const char* label : {"Done##keyboard", "All as they were##key", "##key search"}) {
-      const Area* area = desk.interface->find(label);
-      ASSERT_NE(area, nullptr) << label;
-      EXPECT_GE(area->left, 0);
-      EXPECT_LE(area->right, width);
-      EXPECT_LE(area->bottom, height) << label << width;
-    }
+    desk.expect_within(width, height, {"Done##keyboard", "All as they were##key", "##key search"});
   }
 }
 

@@ -64,13 +64,7 @@ TEST(PreferencesDialog, ItFitsSmallScreens) {
     desk.app->of<Pointer>().resized({width, height}, 96);
     desk.app->of<Dialogs>().show(Dialog{"preferences"});
     desk.frames();
-    for (const char* label : {"View##tab", "Folders##tab", "Done"}) {
-      const Area* area = desk.interface->find(label);
-      ASSERT_NE(area, nullptr) << label;
-      EXPECT_GE(area->left, 0);
-      EXPECT_LE(area->right, width);
-      EXPECT_LE(area->bottom, height);
-    }
+    desk.expect_within(width, height, {"View##tab", "Folders##tab", "Done"});
   }
 }
 

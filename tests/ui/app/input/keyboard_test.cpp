@@ -78,9 +78,7 @@ TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
   for (const Dialog dialog :
        {Dialog::open, Dialog::recent, Dialog::save, Dialog::export_as, Dialog::steps, Dialog::tablet, Dialog::sessions,
         Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial, Dialog::recover}) {
-    desk.app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
-    desk.app->of<Dialogs>().show(dialog);
-    desk.frames();
+    desk.show(dialog);
     desk.hit_escape();
     EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none) << dialog.name;
   }

@@ -8,25 +8,6 @@
 namespace penpose::app {
 namespace {
 
-std::size_t index_of(const Desk& desk, const std::string& name) {
-  return *rig::find_parameter(desk.document().model->rig->parameters(), name);
-}
-double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
-
-void drag_slider(Desk& desk, const std::string& name, double to) {
-  const Area* area = desk.interface->find("slider " + name);
-  ASSERT_NE(area, nullptr) << name;
-  const Area slider = *area;
-  const auto at = [&](double share) { return PxPoint{slider.left + share * slider.width(), slider.middle().y}; };
-  desk.app->of<Pointer>().moved(at(0.3));
-  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.3));
-  desk.frames();
-  desk.app->of<Pointer>().moved(at(to));
-  desk.frames();
-  desk.app->of<Pointer>().button(MouseButton::left, false, at(to));
-  desk.frames();
-}
-
 TEST(Sides, LeftAndRightStandInOneRow) {
   Desk desk("pair-row");
   desk.begin();
@@ -35,14 +16,14 @@ TEST(Sides, LeftAndRightStandInOneRow) {
   ASSERT_TRUE(left != nullptr && right != nullptr);
   EXPECT_EQ(left->top, right->top);
   EXPECT_LE(left->right, right->left);
-  drag_slider(desk, "brow_inner_R", 0.8);
-  const rig::Parameter brow = desk.document().model->rig->parameters()[index_of(desk, "brow_inner_R")];
+  desk.drag_slider("brow_inner_R", 0.3, 0.8);
+  const rig::Parameter brow = desk.document().model->rig->parameters()[desk.index_of("brow_inner_R")];
   const double range = brow.maximum - brow.minimum;
-  EXPECT_NEAR(value_of(desk, "brow_inner_R"), brow.minimum + 0.8 * range, 0.05 * range);
-  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
+  EXPECT_NEAR(desk.value_of("brow_inner_R"), brow.minimum + 0.8 * range, 0.05 * range);
+  EXPECT_EQ(desk.value_of("brow_inner_L"), 0);
   desk.click("more##pair brow_inner");
   desk.click("Right to left##pair");
-  EXPECT_EQ(value_of(desk, "brow_inner_L"), value_of(desk, "brow_inner_R"));
+  EXPECT_EQ(desk.value_of("brow_inner_L"), desk.value_of("brow_inner_R"));
 }
 
 TEST(Sides, ALockedSliderDoesNotMove) {
@@ -52,19 +33,19 @@ TEST(Sides, ALockedSliderDoesNotMove) {
   desk.frames(2);
   desk.click("##lock jaw");
   const auto state = desk.app->of<EditingSession>().state();
-  drag_slider(desk, "jaw", 0.9);
-  EXPECT_EQ(value_of(desk, "jaw"), 0);
+  desk.drag_slider("jaw", 0.3, 0.9);
+  EXPECT_EQ(desk.value_of("jaw"), 0);
   EXPECT_FALSE(desk.app->of<EditingSession>().shown().previews());
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
   desk.click("##lock jaw");
-  drag_slider(desk, "jaw", 0.9);
-  EXPECT_GT(value_of(desk, "jaw"), 0.5);
+  desk.drag_slider("jaw", 0.3, 0.9);
+  EXPECT_GT(desk.value_of("jaw"), 0.5);
 }
 
 TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
   Desk desk("moved-only");
   desk.begin();
-  desk.app->of<Controls>().set_parameter(index_of(desk, "jaw"), 0.5);
+  desk.app->of<Controls>().set_parameter(desk.index_of("jaw"), 0.5);
   desk.click("Moved");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
@@ -75,12 +56,12 @@ TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
 TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
   Desk desk("flip");
   desk.begin();
-  desk.app->of<Controls>().set_parameter(index_of(desk, "brow_inner_L"), 0.7);
+  desk.app->of<Controls>().set_parameter(desk.index_of("brow_inner_L"), 0.7);
   desk.press('m', false, true);
-  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_R"), 0.7);
+  EXPECT_EQ(desk.value_of("brow_inner_L"), 0);
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_R"), 0.7);
   desk.press('m', true, true);
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.7) << "right to left";
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_L"), 0.7) << "right to left";
   const auto state = desk.app->of<EditingSession>().state();
   desk.press('m', true);
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state) << "they are the same already, and that is told";
@@ -107,18 +88,18 @@ TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
   desk.frames();
   double moved = 0;
   for (const char* name : {"brow_inner", "brow_outer"}) {
-    const double left = value_of(desk, std::string(name) + "_L");
-    EXPECT_DOUBLE_EQ(left, value_of(desk, std::string(name) + "_R")) << name;
+    const double left = desk.value_of(std::string(name) + "_L");
+    EXPECT_DOUBLE_EQ(left, desk.value_of(std::string(name) + "_R")) << name;
     moved = std::max(moved, std::abs(left));
   }
   EXPECT_GT(moved, 0.05);
-  EXPECT_NEAR(shown[index_of(desk, "brow_inner_L")], shown[index_of(desk, "brow_inner_R")], 1e-12)
+  EXPECT_NEAR(shown[desk.index_of("brow_inner_L")], shown[desk.index_of("brow_inner_R")], 1e-12)
       << "the other side follows the pen, too";
   EXPECT_GE(desk.app->of<EditingSession>().last_stroke().left_px(), 0) << "what the stroke came to is still told";
   desk.press('z', true);
   EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), count + 1)
       << "both sides go back in one step";
-  EXPECT_EQ(value_of(desk, "brow_inner_R"), 0);
+  EXPECT_EQ(desk.value_of("brow_inner_R"), 0);
 }
 
 TEST(Sides, AMirroredSessionReplaysToTheSameState) {

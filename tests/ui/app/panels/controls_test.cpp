@@ -9,22 +9,6 @@
 namespace penpose::app {
 namespace {
 
-/// A control below the mouth.
-void sketch_chin(Desk& desk) {
-  desk.click("Rig");
-  const auto mouth = desk.named_curve(any_curve(desk));
-  const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
-  desk.stroke(around(middle, 60, 32));
-  desk.stroke(around(middle, 28, 14));
-  desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
-}
-
-bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->of<Notices>().all();
-  return std::any_of(notices.begin(), notices.end(),
-                     [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
-}
-
 TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   Desk desk("rig-tap");
   desk.begin();
@@ -38,8 +22,8 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   desk.frames();
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
   EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), pose);
-  EXPECT_TRUE(says(desk, "draw around everything on the face that may move"));
-  EXPECT_FALSE(says(desk, "line:"));
+  EXPECT_TRUE(desk.says("draw around everything on the face that may move"));
+  EXPECT_FALSE(desk.says("line:"));
   const bool unsaved = desk.app->of<EditingSession>().unsaved();
   desk.app->of<EditingSession>().mark_saved();
   desk.stroke({{450, 300}, {452, 301}});
@@ -49,7 +33,7 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   desk.app->of<Controls>().choose_for_new(articulation::Mode::rotate, {});
   desk.stroke(around({517, 530}, 60, 32));
   ASSERT_TRUE(desk.document().pending);
-  EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";
+  EXPECT_FALSE(desk.says("Nothing changed")) << "it is over";
   EXPECT_EQ(desk.document().pending->sketch.mode, articulation::Mode::rotate);
   EXPECT_FALSE(desk.document().pending->sketch.general.empty());
 }
@@ -88,7 +72,7 @@ TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
   const auto state = desk.app->of<EditingSession>().state();
   desk.stroke({{517, 540}, {518, 541}});
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state) << "a tap is no target";
-  EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
+  EXPECT_TRUE(desk.says("draw a line where the feature should go"));
 }
 
 TEST(Controls, ATapWithThePoseToolDrawsNothing) {
@@ -97,11 +81,11 @@ TEST(Controls, ATapWithThePoseToolDrawsNothing) {
   const auto line = desk.named_curve(any_curve(desk));
   desk.stroke({line[3], line[3] + PxPoint{2, 1}});
   EXPECT_TRUE(desk.document().curves.empty());
-  EXPECT_TRUE(says(desk, "draw along a feature of the face"));
+  EXPECT_TRUE(desk.says("draw along a feature of the face"));
   desk.stroke(line);
   desk.stroke({line[3], line[3] + PxPoint{2, 1}});
   EXPECT_FALSE(desk.document().curves.front()->target);
-  EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
+  EXPECT_TRUE(desk.says("draw a line where the feature should go"));
 }
 
 TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
@@ -111,11 +95,11 @@ TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
   desk.click("##rename");
   desk.type("dimple");
   desk.hit_return();
-  EXPECT_FALSE(says(desk, "control 1")) << "nothing is said of a name that is gone";
+  EXPECT_FALSE(desk.says("control 1")) << "nothing is said of a name that is gone";
   desk.click("Mirror");
   EXPECT_EQ(desk.document().model->deformers->deformers().back()->sketch().name, "dimple mirrored");
   EXPECT_EQ(desk.app->of<Controls>().selected(), "dimple mirrored");
-  EXPECT_TRUE(says(desk, "dimple mirrored is ready"));
+  EXPECT_TRUE(desk.says("dimple mirrored is ready"));
   // Sides change places where a name has one.
   desk.app->of<Controls>().select("dimple");
   desk.frames();
@@ -207,9 +191,7 @@ TEST(Controls, RedrawOfATouchedTargetIsOfOneLine) {
 TEST(Controls, AControlThatIsLockedStaysInTheListOfTheMovedOnes) {
   Desk desk("moved-locked");
   desk.begin();
-  pose_mouth(desk);
-  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
-  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
+  const std::string moved = moved_with_mouth(desk);
   desk.click("Moved");
   const std::string lock = "##lock " + moved;
   ASSERT_NE(desk.interface->find(lock), nullptr);

@@ -26,9 +26,7 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
     for (const Dialog dialog :
          {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved, Dialog::number,
           Dialog::key_name, Dialog::radial, Dialog::recent, Dialog::export_as, Dialog::recover}) {
-      desk.app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
-      desk.app->of<Dialogs>().show(dialog);
-      desk.frames();
+      desk.show(dialog);
       expect_large_enough(desk, dpi);
       desk.app->of<Dialogs>().show(Dialog::none);
     }

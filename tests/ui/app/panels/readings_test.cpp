@@ -4,6 +4,7 @@
 #include "core/document/document_hash.h"
 #include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
+#include "tests/support/app_replay.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/view/outcome.h"
 #include "ui/files/files.h"
@@ -82,11 +83,7 @@ TEST(Readings, ASessionInWhichOneWasTakenReplaysToTheSameBits) {
   desk.app->of<Actions>().run(Action::reset_pose);
   desk.frames();
   draw_smile(desk);
-  replay::PlayerOptions options;
-  options.open = [](const std::string& path) { return files::load_document(path, files::NamedBy::user); };
-  const auto bytes = files::read_plain_file(desk.app->of<Recording>().path());
-  ASSERT_TRUE(bytes);
-  const auto played = replay::play_session(replay::read_from(*bytes), options);
+  const auto played = replayed(desk.app->of<Recording>().path());
   ASSERT_TRUE(played && played->session) << played.error().line();
   EXPECT_FALSE(played->divergence);
   EXPECT_EQ(document::DocumentHasher()(played->session->editor().document()), editing_of(desk).state());

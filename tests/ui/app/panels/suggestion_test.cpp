@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/app_desk.h"
+#include "tests/support/app_replay.h"
 #include "ui/app/session/suggestion_offer.h"
 #include "ui/files/load_model.h"
 #include "ui/files/trace_file.h"
@@ -11,32 +12,26 @@
 namespace penpose::app {
 namespace {
 
-void set(Desk& desk, const std::string& name, double value) {
-  desk.app->of<Controls>().set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
-  desk.frames(1);
-}
-
-double value_of(const rig::Pose& pose, const Desk& desk, const std::string& name) {
-  return pose[*rig::find_parameter(desk.document().model->rig->parameters(), name)];
-}
+double value_of(const rig::Pose& pose, const Desk& desk, const std::string& name) { return pose[desk.index_of(name)]; }
 
 /// Three faces whose brows go with the corner of the mouth, then the face at rest again.
 void key_faces(Desk& desk, int count = 3) {
   for (int k = 0; k < count; ++k) {
     const double much = 0.3 + 0.3 * k;
-    for (const char* name : {"mouth_corner_L", "mouth_corner_R"}) set(desk, name, much);
-    for (const char* name : {"brow_inner_L", "brow_inner_R"}) set(desk, name, 0.9 * much);
+    for (const char* name : {"mouth_corner_L", "mouth_corner_R"}) desk.set(name, much);
+    for (const char* name : {"brow_inner_L", "brow_inner_R"}) desk.set(name, 0.9 * much);
     desk.app->of<Playback>().place_cursor(0.5 * k);
     desk.click("Key");
   }
   desk.click("Rest pose");
 }
 
-bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->of<Notices>().all();
-  return std::any_of(notices.begin(), notices.end(),
-                     [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
-}
+struct KeyedDesk : Desk {
+  explicit KeyedDesk(const std::string& name) : Desk(name) {
+    begin();
+    key_faces(*this);
+  }
+};
 
 TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   Desk desk("suggest-grey");
@@ -44,23 +39,21 @@ TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   EXPECT_NE(desk.app->of<SuggestionOffer>().why_not(desk.app->of<EditingSession>()).find("no pose is keyed yet"),
             std::string::npos);
   key_faces(desk, 1);
-  set(desk, "mouth_corner_L", 0.5);
+  desk.set("mouth_corner_L", 0.5);
   desk.click("Suggest");
   EXPECT_FALSE(desk.app->of<SuggestionOffer>().open()) << "a grey button does nothing";
   desk.press('g');
   EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
-  EXPECT_TRUE(says(desk, "only one pose is keyed yet"));
-  EXPECT_TRUE(says(desk, "key two different poses or more"));
+  EXPECT_TRUE(desk.says("only one pose is keyed yet"));
+  EXPECT_TRUE(desk.says("key two different poses or more"));
   key_faces(desk, 2);
   EXPECT_EQ(desk.app->of<SuggestionOffer>().why_not(desk.app->of<EditingSession>()), "");
 }
 
 TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
-  Desk desk("suggest-take");
-  desk.begin();
-  key_faces(desk);
-  set(desk, "mouth_corner_L", 0.5);
-  set(desk, "mouth_corner_R", 0.5);
+  KeyedDesk desk("suggest-take");
+  desk.set("mouth_corner_L", 0.5);
+  desk.set("mouth_corner_R", 0.5);
   const auto before = desk.app->of<EditingSession>().state();
   const std::size_t undo = desk.app->of<EditingSession>().editor().history().undo_count();
   desk.click("Suggest");
@@ -78,10 +71,8 @@ TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
 }
 
 TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
-  Desk desk("suggest-dismiss");
-  desk.begin();
-  key_faces(desk);
-  set(desk, "mouth_corner_L", 0.5);
+  KeyedDesk desk("suggest-dismiss");
+  desk.set("mouth_corner_L", 0.5);
   const auto before = desk.app->of<EditingSession>().state();
   const auto revision = desk.app->of<EditingSession>().revision();
   for (const bool by_button : {true, false}) {
@@ -101,10 +92,8 @@ TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
 }
 
 TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
-  Desk desk("suggest-half");
-  desk.begin();
-  key_faces(desk);
-  set(desk, "mouth_corner_L", 0.5);
+  KeyedDesk desk("suggest-half");
+  desk.set("mouth_corner_L", 0.5);
   desk.click("Suggest");
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   const Area* found = desk.interface->find("slider how much of it");
@@ -131,17 +120,15 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
 }
 
 TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
-  Desk desk("suggest-end");
-  desk.begin();
-  key_faces(desk);
-  set(desk, "mouth_corner_L", 0.5);
+  KeyedDesk desk("suggest-end");
+  desk.set("mouth_corner_L", 0.5);
   desk.press('g');
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   desk.click("##lock brow_inner_L");
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   EXPECT_EQ(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_L"), 0);
   EXPECT_GT(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_R"), 0.1);
-  set(desk, "jaw", 0.4);
+  desk.set("jaw", 0.4);
   EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
   EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   desk.press('g');
@@ -160,20 +147,14 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
 }
 
 TEST(Suggestion, ATakenOneIsReplayed) {
-  Desk desk("suggest-replay");
-  desk.begin();
-  key_faces(desk);
+  KeyedDesk desk("suggest-replay");
   pose_mouth(desk);
   desk.press('g');
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   desk.click("Take it##suggestion");
   const auto state = desk.app->of<EditingSession>().state();
   const std::string session = desk.app->of<Recording>().path();
-  const auto file = files::open_trace(session);
-  ASSERT_TRUE(file.ok()) << file.error().line(session);
-  replay::PlayerOptions options;
-  options.open = [](const std::string& path) { return files::load_document(path); };
-  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  const auto played = replayed(session);
   ASSERT_TRUE(played.ok());
   EXPECT_EQ(played->differing, 0U);
   EXPECT_EQ(played->session->editor().state(), state);

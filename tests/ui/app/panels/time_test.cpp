@@ -32,6 +32,16 @@ double jaw(const Desk& desk) {
   return desk.document().pose[*rig::find_parameter(desk.document().model->rig->parameters(), "jaw")];
 }
 
+/// Keys at 0 and at another moment, where the jaw is open; back at 0.
+void key_jaw(Desk& desk, double time_s, double open) {
+  desk.begin();
+  desk.click("Key");
+  desk.app->of<Playback>().go_to(time_s);
+  moved_jaw(desk, open);
+  desk.click("Key");
+  desk.app->of<Playback>().go_to(0);
+}
+
 TEST(Time, DraggingThePlayheadOffAKeyLeavesTheKeyWhereItIs) {
   Desk desk("ruler");
   desk.begin();
@@ -103,12 +113,7 @@ TEST(Time, APoseIsCopiedToAnotherMomentAndUndoneInOneStep) {
 
 TEST(Time, UndoSkipsMovesInTimeAndThePlayheadReturnsWithThePose) {
   Desk desk("undo-time");
-  desk.begin();
-  desk.click("Key");
-  desk.app->of<Playback>().go_to(1);
-  moved_jaw(desk, 0.5);
-  desk.click("Key");
-  desk.app->of<Playback>().go_to(0);
+  key_jaw(desk, 1, 0.5);
   desk.app->of<Playback>().go_to(0.5);
   desk.app->of<Playback>().go_to(0.25);
   ASSERT_DOUBLE_EQ(desk.app->of<Playback>().time_s(), 0.25);
@@ -174,12 +179,7 @@ TEST(Time, AutoKeyKeysEveryChangeWithItsOwnUndo) {
 
 TEST(Time, PlayStopsOnAFrameWithItsPoseAndAKeyIsSetThere) {
   Desk desk("stop-on-frame");
-  desk.begin();
-  desk.click("Key");
-  desk.app->of<Playback>().go_to(2);
-  moved_jaw(desk, 0.8);
-  desk.click("Key");
-  desk.app->of<Playback>().go_to(0);
+  key_jaw(desk, 2, 0.8);
   for (const char* stops : {"key", "button", "tool"}) {
     desk.press(' ');
     ASSERT_TRUE(desk.app->of<Playback>().playing());

@@ -11,19 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t index_of(const Desk& desk, const std::string& name) {
-  return *rig::find_parameter(desk.document().model->rig->parameters(), name);
-}
-double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
-void set(Desk& desk, const std::string& name, double value) {
-  desk.app->of<Controls>().set_parameter(index_of(desk, name), value);
-}
-
 /// A desk with the library open and a smile in it, the face back at rest.
 void keep_smile(Desk& desk) {
   desk.begin();
-  set(desk, "mouth_corner_L", 0.8);
-  set(desk, "brow_inner_L", 0.5);
+  desk.set("mouth_corner_L", 0.8);
+  desk.set("brow_inner_L", 0.5);
   desk.click("Poses");
   desk.click("Library##poses");
   ASSERT_TRUE(desk.click("Keep##pose"));
@@ -42,31 +34,25 @@ TEST(PoseShelf, APoseIsKeptInAFileAndTakenByOneTouchAndOneUndo) {
   keep_smile(desk);
   EXPECT_TRUE(fs::exists(desk.folder / "poses" / "pose 1.pose.json"));
   ASSERT_TRUE(desk.click("pose 1##kept pose 1.pose.json"));
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_L"), 0.8);
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.5);
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_L"), 0.8);
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_L"), 0.5);
   EXPECT_NE(all_notices(desk).find("by the names of its controls"), std::string::npos) << all_notices(desk);
   desk.app->of<EditingSession>().steps().undo();
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_L"), 0);
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0);
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_L"), 0);
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_L"), 0);
 }
 
 TEST(PoseShelf, TheSliderTakesAShareInTheSameStep) {
   Desk desk("shelf-share");
   keep_smile(desk);
   desk.click("pose 1##kept pose 1.pose.json");
-  const Area slider = *desk.interface->find("slider share");
-  const auto at = [&](double share) { return PxPoint{slider.left + share * slider.width(), slider.middle().y}; };
-  desk.app->of<Pointer>().moved(at(0.99));
-  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.99));
-  desk.frames();
-  desk.app->of<Pointer>().moved(at(0.5));
-  desk.frames();
-  EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[index_of(desk, "mouth_corner_L")], 0.4, 0.03);
-  desk.app->of<Pointer>().button(MouseButton::left, false, at(0.5));
-  desk.frames();
-  EXPECT_NEAR(value_of(desk, "mouth_corner_L"), 0.4, 0.03);
+  const PxPoint half = desk.interface->find("slider share")->middle();
+  desk.drag_slider("share", 0.99, 0.5, false);
+  EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[desk.index_of("mouth_corner_L")], 0.4, 0.03);
+  desk.let_go(half);
+  EXPECT_NEAR(desk.value_of("mouth_corner_L"), 0.4, 0.03);
   desk.app->of<EditingSession>().steps().undo();
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_L"), 0) << "one step takes back the pose and its share";
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_L"), 0) << "one step takes back the pose and its share";
 }
 
 TEST(PoseShelf, OnlyTheChosenPartIsShownAndTaken) {
@@ -76,8 +62,8 @@ TEST(PoseShelf, OnlyTheChosenPartIsShownAndTaken) {
   EXPECT_EQ(desk.interface->find("pose 1##kept pose 1.pose.json"), nullptr) << "it does nothing to the eyes";
   desk.click("Brows##part");
   ASSERT_TRUE(desk.click("pose 1##kept pose 1.pose.json"));
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.5);
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_L"), 0);
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_L"), 0.5);
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_L"), 0);
 }
 
 TEST(PoseShelf, MirroredItIsThePoseOfTheOtherSide) {
@@ -85,8 +71,8 @@ TEST(PoseShelf, MirroredItIsThePoseOfTheOtherSide) {
   keep_smile(desk);
   desk.click("Mirrored##kept");
   desk.click("pose 1##kept pose 1.pose.json");
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_R"), 0.8);
-  EXPECT_DOUBLE_EQ(value_of(desk, "mouth_corner_L"), 0);
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_R"), 0.8);
+  EXPECT_DOUBLE_EQ(desk.value_of("mouth_corner_L"), 0);
 }
 
 TEST(PoseShelf, ADeletedPoseComesBackOutOfTheTrash) {

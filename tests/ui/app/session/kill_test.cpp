@@ -12,6 +12,8 @@
 #include "core/io/model/write_model.h"
 #include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
+#include "tests/support/app_replay.h"
+#include "tests/support/killed.h"
 #include "tests/support/random_session.h"
 #include "ui/app/files/session_files.h"
 #include "ui/files/files.h"
@@ -66,25 +68,17 @@ TEST(Kill, ADiskThatIsFullForAWhileLosesNothing) {
     desk.app->of<Pointer>().button(MouseButton::left, false, {viewport.width * 0.6, y});
     desk.frames(2);
   };
-  const auto told = [&](const char* what) {
-    return std::any_of(desk.app->of<Notices>().all().begin(), desk.app->of<Notices>().all().end(),
-                       [&](const Notice& notice) { return notice.text.find(what) != std::string::npos; });
-  };
   for (int i = 0; i < 4; ++i) draw(i);
   EXPECT_FALSE(desk.app->of<Recording>().records());
-  EXPECT_TRUE(told("cannot be recorded now"));
+  EXPECT_TRUE(desk.says("cannot be recorded now"));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   const std::size_t drawn = desk.document().curves.size();
   EXPECT_GE(drawn, 1U);
   draw(5);
   EXPECT_TRUE(desk.app->of<Recording>().records());
-  EXPECT_TRUE(told("recorded again"));
-  replay::PlayerOptions options;
-  options.open = [](const std::string& path) { return files::load_document(path, files::NamedBy::user); };
-  const auto bytes = files::read_plain_file(desk.app->of<Recording>().path());
-  ASSERT_TRUE(bytes);
-  const auto played = replay::play_session(replay::read_from(*bytes), options);
+  EXPECT_TRUE(desk.says("recorded again"));
+  const auto played = replayed(desk.app->of<Recording>().path());
   ASSERT_TRUE(played && played->session) << played.error().line();
   EXPECT_FALSE(played->divergence);
   EXPECT_EQ(document::DocumentHasher()(played->session->editor().document()).whole,
@@ -110,23 +104,11 @@ TEST(Kill, NoStrokeThatHadEndedIsLostWhenTheAppIsKilled) {
     for (const std::string& path : past_sessions(sessions)) {
       if (path != desk.app->of<Recording>().path()) std::filesystem::remove(path);
     }
-    int ends[2];
-    ASSERT_EQ(::pipe(ends), 0);
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      ::close(ends[0]);
-      draw_for_ever(desk, model, ends[1], static_cast<std::uint64_t>(round));
-    }
-    ::close(ends[1]);
-    ::usleep(static_cast<useconds_t>(random.below(120000)));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it died by itself";
     std::size_t ended = 0;
-    for (char byte = 0; ::read(ends[0], &byte, 1) == 1;) ++ended;
-    ::close(ends[0]);
+    tests::told_until_killed(
+        static_cast<useconds_t>(random.below(120000)),
+        [&](int pipe) { draw_for_ever(desk, model, pipe, static_cast<std::uint64_t>(round)); }, ended);
+    if (testing::Test::HasFatalFailure()) return;
     most = std::max(most, ended);
 
     const auto offered = abandoned_sessions(sessions);

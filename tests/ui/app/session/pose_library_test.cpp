@@ -8,20 +8,11 @@
 namespace penpose::app {
 namespace {
 
-std::size_t index_of(const Desk& desk, const std::string& name) {
-  return *rig::find_parameter(desk.document().model->rig->parameters(), name);
-}
-
-void set(Desk& desk, const std::string& name, double value) {
-  desk.app->of<Controls>().set_parameter(index_of(desk, name), value);
-}
-double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
-
 /// A key at 1 s, named "wink", of a brow and the jaw; then back at rest.
 void key_wink(Desk& desk) {
   desk.begin();
-  set(desk, "brow_inner_L", 0.8);
-  set(desk, "jaw", 0.5);
+  desk.set("brow_inner_L", 0.8);
+  desk.set("jaw", 0.5);
   desk.app->of<Playback>().place_cursor(1);
   desk.app->of<Actions>().run(Action::key_pose);
   desk.app->of<Keys>().name("wink");
@@ -30,8 +21,7 @@ void key_wink(Desk& desk) {
 }
 
 TEST(PoseLibrary, PartsAreToldByTheNamesOfControls) {
-  EXPECT_EQ(part_of("browInnerUp_L"), FacePart::brows);
-  EXPECT_EQ(part_of("EyebrowRaise"), FacePart::brows);
+  for (const char* brow : {"browInnerUp_L", "EyebrowRaise"}) EXPECT_EQ(part_of(brow), FacePart::brows) << brow;
   EXPECT_EQ(part_of("eyeBlinkLeft"), FacePart::eyes);
   EXPECT_EQ(part_of("jawOpen"), FacePart::mouth);
   EXPECT_EQ(part_of("nose_sneer"), FacePart::all);
@@ -81,23 +71,17 @@ TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
   desk.frames(8);
   ASSERT_TRUE(desk.click("wink##pose frame 24"));
   desk.click("Mouth##part");
-  const Area blend = *desk.interface->find("slider blend");
-  const auto at = [&](double share) { return PxPoint{blend.left + share * blend.width(), blend.middle().y}; };
-  desk.app->of<Pointer>().moved(at(0.01));
-  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.01));
-  desk.frames();
-  desk.app->of<Pointer>().moved(at(0.5));
-  desk.frames();
+  const PxPoint half = desk.interface->find("slider blend")->middle();
+  desk.drag_slider("blend", 0.01, 0.5, false);
   EXPECT_TRUE(desk.app->of<EditingSession>().shown().previews()) << "the face shows it before it is let go";
-  EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[index_of(desk, "jaw")], 0.25, 0.02);
-  desk.app->of<Pointer>().button(MouseButton::left, false, at(0.5));
-  desk.frames();
-  EXPECT_NEAR(value_of(desk, "jaw"), 0.25, 0.02);
-  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0) << "of the mouth alone";
+  EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[desk.index_of("jaw")], 0.25, 0.02);
+  desk.let_go(half);
+  EXPECT_NEAR(desk.value_of("jaw"), 0.25, 0.02);
+  EXPECT_EQ(desk.value_of("brow_inner_L"), 0) << "of the mouth alone";
   desk.click("All##part");
   desk.click("Take##pose");
-  EXPECT_DOUBLE_EQ(value_of(desk, "jaw"), 0.5);
-  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.8);
+  EXPECT_DOUBLE_EQ(desk.value_of("jaw"), 0.5);
+  EXPECT_DOUBLE_EQ(desk.value_of("brow_inner_L"), 0.8);
 }
 
 TEST(PoseLibrary, AnExpressionOfTheModelMovesItsTargetsAlone) {
@@ -105,10 +89,10 @@ TEST(PoseLibrary, AnExpressionOfTheModelMovesItsTargetsAlone) {
   desk.begin();
   document::Document document = desk.document();
   document::Model model = *document.model;
-  const std::size_t jaw = index_of(desk, "jaw");
+  const std::size_t jaw = desk.index_of("jaw");
   model.expressions = {{"aa", {{jaw, 0.5}}}};
   document.model = std::make_shared<const document::Model>(model);
-  document.pose[index_of(desk, "brow_inner_L")] = 0.3;
+  document.pose[desk.index_of("brow_inner_L")] = 0.3;
   PoseChoice choice;
   EXPECT_FALSE(choice.chosen());
   choice.expression = 0;

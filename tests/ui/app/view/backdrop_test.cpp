@@ -18,6 +18,13 @@ void write_picture(const std::string& path, int width, int height, std::uint8_t 
       .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
 }
 
+void show_backdrop(Desk& desk, int width, int height) {
+  desk.begin();
+  write_picture(desk.path("face.png"), width, height, 9);
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
+  desk.frames();
+}
+
 TEST(Backdrop, NumberedPicturesBesideItAreItsFilm) {
   Desk desk("film-frames");
   for (const char* name : {"take2.png", "take10.png", "take1.png", "other1.png", "take3.jpg", "take.png", "taken4.png"})
@@ -33,10 +40,7 @@ TEST(Backdrop, NumberedPicturesBesideItAreItsFilm) {
 
 TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
   Desk desk("backdrop");
-  desk.begin();
-  write_picture(desk.path("face.png"), 30, 60, 9);
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
-  desk.frames();
+  show_backdrop(desk, 30, 60);
   const auto& backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_NE(backdrop, nullptr);
   const auto before = backdrop->seen(desk.app->of<Canvas>().view());
@@ -50,10 +54,7 @@ TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
 
 TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   Desk desk("backdrop-drag");
-  desk.begin();
-  write_picture(desk.path("face.png"), 40, 40, 9);
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
-  desk.frames();
+  show_backdrop(desk, 40, 40);
   const auto before = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
   const PxPoint from = desk.app->of<Canvas>().free_area().middle();
   desk.stroke({from, from + PxPoint{60, -30}});

@@ -14,10 +14,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr float k_handle_inset_px = 4;
-constexpr float k_margin_share = 0.1F;
-constexpr float k_curve_step_px = 3;
-constexpr float k_point_units = 0.17F;
+constexpr float k_handle_inset_px = 4, k_margin_share = 0.1F, k_curve_step_px = 3, k_point_units = 0.17F;
 constexpr std::size_t k_curves_at_first = 4;
 /// Of more keys handles would hide the curves.
 constexpr std::size_t k_most_with_handles = 40;

@@ -14,8 +14,7 @@ namespace penpose::app {
 namespace {
 
 constexpr std::size_t k_most_curves = 16;
-constexpr float k_bar_units = 0.16F;
-constexpr float k_bar_end_units = 0.35F;
+constexpr float k_bar_units = 0.16F, k_bar_end_units = 0.35F;
 
 /// The rows as of the last timeline, of which each frame would look at every key.
 struct KnownRows {

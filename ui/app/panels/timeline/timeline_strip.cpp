@@ -10,10 +10,8 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_least_range_s = 4;
-constexpr double k_least_span_s = 0.5;
-constexpr float k_names_units = 4.2F;
-constexpr float k_most_names_share = 0.3F;
+constexpr double k_least_range_s = 4, k_least_span_s = 0.5;
+constexpr float k_names_units = 4.2F, k_most_names_share = 0.3F;
 
 }  // namespace
 

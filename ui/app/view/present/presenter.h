@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 #include "ui/app/view/draw_frame.h"
 #include "ui/render/renderer.h"
@@ -17,12 +18,8 @@ struct ImDrawData;
 namespace penpose::app {
 
 /// Shows frames in a window, by one way to draw. Made on any thread; all calls from the one that draws.
-class Presenter {
+class Presenter : public base::Interface {
  public:
-  virtual ~Presenter() = default;
-  Presenter(const Presenter&) = delete;
-  Presenter& operator=(const Presenter&) = delete;
-
   /// First. Errors: those of the renderer.
   virtual base::Status begin() = 0;
   /// Last; also after a `begin` that failed.
@@ -39,9 +36,6 @@ class Presenter {
   [[nodiscard]] virtual std::vector<std::string> take_undrawn() = 0;
   /// The size that what is drawn into has by now, where the system can be asked.
   [[nodiscard]] virtual std::optional<geometry::Viewport> drawable() const = 0;
-
- protected:
-  Presenter() = default;
 };
 
 /// A window with a context of OpenGL, which no thread has as its own once a presenter was made of it.

@@ -11,10 +11,7 @@ namespace penpose::render {
 
 /// Px from left and top up to, but without, right and bottom.
 struct PxRect {
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
+  int left = 0, top = 0, right = 0, bottom = 0;
   [[nodiscard]] bool empty() const { return left >= right || top >= bottom; }
 };
 [[nodiscard]] inline PxRect shared_part(const PxRect& a, const PxRect& b) {
@@ -42,11 +39,7 @@ using Corners = std::array<Corner, 3>;
 
 /// A plane over the picture that has given values at the corners.
 struct PxPlane {
-  float at_origin = 0;
-  float by_x = 0;
-  float by_y = 0;
-  float origin_x = 0;
-  float origin_y = 0;
+  float at_origin = 0, by_x = 0, by_y = 0, origin_x = 0, origin_y = 0;
   [[nodiscard]] float at(int x, int y) const {
     return at_origin + by_x * (static_cast<float>(x) - origin_x) + by_y * (static_cast<float>(y) - origin_y);
   }

@@ -9,8 +9,7 @@ namespace penpose::render {
 
 /// Indices that follow one another and count their vertices from one place on.
 struct IndexChunk {
-  std::size_t first_index = 0;
-  std::size_t index_count = 0;
+  std::size_t first_index = 0, index_count = 0;
   std::uint32_t first_vertex = 0;
 };
 /// Triangles and edges for a card whose indices tell few vertices apart.

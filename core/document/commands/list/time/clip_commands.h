@@ -39,16 +39,12 @@ struct AddClip {
 Changed run(const Document&, const AddClip&, ApplyParts&);
 
 /// Calls the shown clip otherwise. Errors: as AddClip.
-struct NameClip : OfName {
-  static constexpr Called k_called{"name_clip", "Name a clip"};
-};
+using NameClip = Plain<OfName, "name_clip", "Name a clip">;
 Changed run(const Document&, const NameClip&, ApplyParts&);
 
 /// Takes the shown clip away, with its animation of the model, and shows the one before. Errors: there is one clip
 /// only.
-struct DeleteClip : NoMembers {
-  static constexpr Called k_called{"delete_clip", "Delete a clip"};
-};
+using DeleteClip = Plain<NoMembers, "delete_clip", "Delete a clip">;
 Changed run(const Document&, const DeleteClip&, ApplyParts&);
 
 /// Cuts the shown clip to a span of time and lets it begin at 0; its curves stay as they are. Errors: no span, moments

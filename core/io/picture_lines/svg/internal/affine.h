@@ -9,12 +9,7 @@ namespace penpose::io {
 
 /// A map of the plane as SVG writes it: matrix(a b c d e f), x' = a x + c y + e, y' = b x + d y + f.
 struct Affine {
-  double a = 1;
-  double b = 0;
-  double c = 0;
-  double d = 1;
-  double e = 0;
-  double f = 0;
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
   [[nodiscard]] geometry::PxPoint operator()(geometry::PxPoint p) const {
     return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};

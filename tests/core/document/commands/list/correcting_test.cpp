@@ -64,26 +64,18 @@ class DrawnSmile {
   View view_;
 };
 
-TEST(Correcting, ACornerThatIsPulledUpMovesItsSideAlone) {
-  DrawnSmile smile;
-  const rig::Pose before = smile.pose();
-  const PxPoint end = smile.line().back();
-  const std::string side = smile.side_at(end);
-  const double was = smile.value("mouth_corner" + side);
-  smile.pull(end, {4, -16});
-  EXPECT_GT(smile.value("mouth_corner" + side), was + 0.15);
-  EXPECT_LT(smile.changed_besides(before, side), 0.01);
-}
-
-TEST(Correcting, ACornerThatIsPulledDownMovesItsSideAlone) {
-  DrawnSmile smile;
-  const rig::Pose before = smile.pose();
-  const PxPoint end = smile.line().front();
-  const std::string side = smile.side_at(end);
-  const double was = smile.value("mouth_corner" + side);
-  smile.pull(end, {0, 16});
-  EXPECT_LT(smile.value("mouth_corner" + side), was - 0.15);
-  EXPECT_LT(smile.changed_besides(before, side), 0.01);
+TEST(Correcting, ACornerThatIsPulledUpOrDownMovesItsSideAlone) {
+  for (const bool up : {true, false}) {
+    DrawnSmile smile;
+    const rig::Pose before = smile.pose();
+    const PxPoint end = up ? smile.line().back() : smile.line().front();
+    const std::string side = smile.side_at(end);
+    const double was = smile.value("mouth_corner" + side);
+    smile.pull(end, up ? PxPoint{4, -16} : PxPoint{0, 16});
+    const double moved = smile.value("mouth_corner" + side) - was;
+    EXPECT_GT(up ? moved : -moved, 0.15);
+    EXPECT_LT(smile.changed_besides(before, side), 0.01);
+  }
 }
 
 TEST(Correcting, APartThatIsRedrawnIsAPart) {

@@ -13,6 +13,14 @@ using articulation::CurveRole;
 using articulation::Reach;
 using tests::DocumentHand;
 
+/// Sketches how the middle comes down.
+void bring_down(DocumentHand& hand) {
+  hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
+  hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.5)});
+  hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(-0.1, 0.25, 0.4, 0.25)});
+  hand.does(SketchCurve{CurveRole::target, hand.view, hand.line(-0.1, 0.05, 0.4, 0.05)});
+}
+
 /// A control that brings the middle of the sheet `by` up, to the right of `middle` or about it.
 void sketch(DocumentHand& hand, const std::string& name, double up) {
   hand.does(BeginDeformer{name, articulation::Mode::translate, {}, 0, 1});
@@ -159,10 +167,7 @@ class Correction : public testing::Test {
   void correct() {
     hand.does(SetParameters{{{"up", 1}, {"aside", 1}}});
     hand.does(BeginCorrection{"both", {}});
-    hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
-    hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.5)});
-    hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(-0.1, 0.25, 0.4, 0.25)});
-    hand.does(SketchCurve{CurveRole::target, hand.view, hand.line(-0.1, 0.05, 0.4, 0.05)});
+    bring_down(hand);
   }
   DocumentHand hand;
 };
@@ -260,10 +265,7 @@ TEST_F(Correction, ItsMirrorImageFollowsTheControlsOfTheOtherSide) {
   hand.does(MirrorDeformer{"aside_L", ""});
   hand.does(SetParameters{{{"up", 1}, {"aside_L", 1}}});
   hand.does(BeginCorrection{"corner_L", {}});
-  hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
-  hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.5)});
-  hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(-0.1, 0.25, 0.4, 0.25)});
-  hand.does(SketchCurve{CurveRole::target, hand.view, hand.line(-0.1, 0.05, 0.4, 0.05)});
+  bring_down(hand);
   const double left = middle(posed(hand, {{"up", 1}, {"aside_L", 1}}));
   const double bare = middle(posed(hand, {{"up", 1}, {"aside_R", 1}}));
   hand.does(MirrorDeformer{"corner_L", ""});

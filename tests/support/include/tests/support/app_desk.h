@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -118,6 +120,40 @@ class Desk {
     if (lift) app->of<Pointer>().button(MouseButton::left, false, through.back());
     frames();
   }
+  /// Pulls a slider by its label from one share of its width to another, and lets it go or not.
+  void drag_slider(const std::string& label, double from, double to, bool lift = true) {
+    const Area* slider = interface->find("slider " + label);
+    ASSERT_NE(slider, nullptr) << label;
+    const PxPoint middle = slider->middle();
+    const double left = slider->left, width = slider->width();
+    const auto at = [&](double share) { return PxPoint{left + share * width, middle.y}; };
+    app->of<Pointer>().moved(at(from));
+    app->of<Pointer>().button(MouseButton::left, true, at(from));
+    frames();
+    app->of<Pointer>().moved(at(to));
+    frames();
+    if (lift) let_go(at(to));
+  }
+  void let_go(PxPoint at) {
+    app->of<Pointer>().button(MouseButton::left, false, at);
+    frames();
+  }
+  /// Opens a dialog; the number that it may ask for is the jaw's.
+  void show(const Dialog& dialog) {
+    app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
+    app->of<Dialogs>().show(dialog);
+    frames();
+  }
+  /// What is labelled so lies within a window of that size.
+  void expect_within(int width, int height, std::initializer_list<const char*> labels) {
+    for (const char* label : labels) {
+      const Area* area = interface->find(label);
+      ASSERT_NE(area, nullptr) << label;
+      EXPECT_GE(area->left, 0) << label;
+      EXPECT_LE(area->right, width) << label;
+      EXPECT_LE(area->bottom, height) << label << width;
+    }
+  }
   /// Where the view shows points of a named curve of the model at rest, moved by some px.
   [[nodiscard]] std::vector<PxPoint> named_curve(const std::string& name, PxPoint by = {}) const {
     const document::View& view = app->of<Canvas>().view();
@@ -132,6 +168,21 @@ class Desk {
     }
     EXPECT_GT(line.size(), 1U) << "the model has no curve " << name;
     return line;
+  }
+  /// Parameters of the model, by name.
+  [[nodiscard]] std::size_t index_of(const std::string& name) const {
+    return *rig::find_parameter(document().model->rig->parameters(), name);
+  }
+  [[nodiscard]] double value_of(const std::string& name) const { return document().pose[index_of(name)]; }
+  void set(const std::string& name, double value) {
+    app->of<Controls>().set_parameter(index_of(name), value);
+    frames(1);
+  }
+  /// Whether a notice has these words.
+  [[nodiscard]] bool says(const std::string& words) const {
+    const auto& notices = app->of<Notices>().all();
+    return std::any_of(notices.begin(), notices.end(),
+                       [&](const Notice& one) { return one.text.find(words) != std::string::npos; });
   }
   [[nodiscard]] const document::Document& document() const { return app->of<EditingSession>().document(); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
@@ -167,6 +218,24 @@ inline void pose_mouth(Desk& desk) {
   const auto target = desk.named_curve(curve, {0, -14});
   desk.stroke(reference);
   desk.stroke(target);
+}
+
+/// Draws along the mouth and where it should go; the name of what moved most.
+[[nodiscard]] inline std::string moved_with_mouth(Desk& desk) {
+  pose_mouth(desk);
+  const auto& movements = desk.app->of<EditingSession>().last_stroke().movements();
+  EXPECT_FALSE(movements.empty());
+  return movements.empty() ? std::string() : movements.front().name;
+}
+
+/// Sketches a control below the mouth.
+inline void sketch_chin(Desk& desk) {
+  desk.click("Rig");
+  const auto mouth = desk.named_curve(any_curve(desk));
+  const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
+  desk.stroke(around(middle, 60, 32));
+  desk.stroke(around(middle, 28, 14));
+  desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
 }
 
 }  // namespace penpose::app

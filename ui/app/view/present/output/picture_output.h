@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/interface.h"
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
 #include "ui/render/cpu/triangles/triangle_raster.h"
@@ -14,12 +15,8 @@ struct SDL_Window;
 namespace penpose::app {
 
 /// Where pictures that the processor drew are put. Made on any thread, used on one.
-class PictureOutput {
+class PictureOutput : public base::Interface {
  public:
-  virtual ~PictureOutput() = default;
-  PictureOutput(const PictureOutput&) = delete;
-  PictureOutput& operator=(const PictureOutput&) = delete;
-
   /// Px, as of now; nothing while it cannot be asked.
   [[nodiscard]] virtual std::optional<geometry::Viewport> size() const = 0;
   /// Px per inch as the panel says it; 0: it does not.
@@ -27,9 +24,6 @@ class PictureOutput {
   /// Puts these parts of a picture there, the rest stays as it was; all of it where there was none. What of the picture
   /// lies outside is left out. Comes back when the next may follow.
   virtual void show(const render::Image& picture, const std::vector<render::PxRect>& parts) = 0;
-
- protected:
-  PictureOutput() = default;
 };
 
 /// The px of a window, which must outlive it.

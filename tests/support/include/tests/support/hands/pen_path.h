@@ -9,8 +9,7 @@ namespace penpose::tests {
 
 /// What a tablet of a test can express.
 struct PathLimits {
-  std::int32_t max_x = 10000;
-  std::int32_t max_y = 8000;
+  std::int32_t max_x = 10000, max_y = 8000;
   std::int32_t max_pressure = 1023;
   bool tilt = false;
   /// Pressure above which the device counts a contact; -1 where it has a tip switch.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -105,6 +106,13 @@ inline Report ink_descriptor() {
           0x65, 0x14, 0x55, 0x00, 0x16, 0xd8, 0xdc, 0x26, 0x28, 0x23,                          // -9000..9000
           0x35, 0xa6, 0x45, 0x5a, 0x09, 0x3d, 0x09, 0x3e, 0x95, 0x02, 0x81, 0x02,              // -90..90 degrees
           0xc0, 0xc0};
+}
+
+/// A pen that describes itself so, which is in no table.
+inline decode::DeviceIdentity ink_device(std::uint16_t product, std::string name) {
+  decode::DeviceIdentity identity = device(0x1b96, product, ink_descriptor());
+  identity.name = std::move(name);
+  return identity;
 }
 
 inline Report ink_pen(const decode::PenSample& sample) {

@@ -138,6 +138,16 @@ inline Eye make_eye() {
   return eye;
 }
 
+/// The same without the triangles about x = 0.9, y = 0.
+inline mesh::MeshSource with_hole(mesh::MeshSource source) {
+  std::erase_if(source.triangles, [&](const mesh::Triangle& t) {
+    const geometry::ModelPoint& p = source.positions[t[0]];
+    return std::abs(p.x - 0.9) < 0.25 && std::abs(p.y) < 0.25;
+  });
+  source.parts.front().triangle_count = static_cast<std::uint32_t>(source.triangles.size());
+  return source;
+}
+
 /// The same triangles, each with vertices of its own.
 inline mesh::MeshSource triangle_soup(const mesh::MeshSource& source) {
   mesh::MeshSource soup;

@@ -7,6 +7,7 @@
 
 #include "core/base/json/json_value.h"
 #include "core/io/gltf/read/read_gltf.h"
+#include "tests/support/error_of.h"
 
 namespace penpose::tests {
 
@@ -68,7 +69,7 @@ struct GltfSample {
   [[nodiscard]] base::Result<document::Model> read() { return io::read_gltf(glb()); }
   [[nodiscard]] base::Error error() {
     auto model = read();
-    return model ? base::Error{"(no error)", "", ""} : model.error();
+    return error_of(model);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/io/tracks/face_points.h"
+#include "tests/support/models/nodding_head.h"
 #include "tests/support/models/rendered_track.h"
 
 namespace penpose::tests {
@@ -305,14 +306,6 @@ class PersonMaker {
       frame.says.closing = frame.says.units.back();
       track.frames.push_back(std::move(frame));
     }
-  }
-
-  static geometry::ModelPoint turned(geometry::ModelPoint v, double angle, int i, int j) {
-    const double x = v[i];
-    const double y = v[j];
-    v[i] = std::cos(angle) * x - std::sin(angle) * y;
-    v[j] = std::sin(angle) * x + std::cos(angle) * y;
-    return v;
   }
 
   const rig::Rig& rig_;

@@ -71,6 +71,17 @@ struct Face {
         },
         minimum);
   }
+  /// A control that does what others do, each times a factor.
+  Face& sum(const char* name, const std::vector<std::pair<std::size_t, double>>& parts) {
+    std::vector<geometry::ModelVector> ways(mesh->vertex_count(), geometry::ModelVector{0});
+    for (const auto& [number, by] : parts) {
+      const rig::BlendShape& one = shapes[number];
+      for (std::size_t i = 0; i < one.vertices.size(); ++i)
+        ways[one.vertices[i]] += geometry::ModelVector(one.deltas[i]) * by;
+    }
+    std::uint32_t v = 0;
+    return control(name, [&](double, double) { return ways[v++]; });
+  }
   Face& ready(std::shared_ptr<const rig::Skeleton> skeleton = nullptr) {
     rig =
         rig::CharacterRig::make(mesh, {rig::BlendShapes::make(shapes, mesh->vertex_count()).value()}, skeleton).value();
@@ -123,6 +134,10 @@ struct Face {
   [[nodiscard]] intent::Solution solve(const intent::IntentProblem& problem) const {
     intent::SolveWorkspace work;
     return intent::solve(*rig, intent::measure_whole_model(*rig), problem, {}, work).value();
+  }
+  /// What a line is read as that was drawn for these points.
+  [[nodiscard]] intent::Solution read(const Points& points, const Line& line) const {
+    return solve(problem({drawn(points, line)}));
   }
   /// Mean distance of all vertices between two poses, as a share of how far the second lies from rest.
   [[nodiscard]] double error(const rig::Pose& pose, const rig::Pose& truth) const {
