@@ -7,7 +7,6 @@
 
 namespace penpose::judges {
 
-using geometry::ModelPoint;
 using geometry::PxPoint;
 
 /// Positions of all vertices at a pose.

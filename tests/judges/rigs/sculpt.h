@@ -4,8 +4,6 @@
 
 namespace penpose::judges {
 
-using geometry::ModelPoint;
-using geometry::ModelVector;
 
 /// One at `center`, smooth, next to nothing beyond twice `radii`.
 [[nodiscard]] std::vector<double> around(std::span<const ModelPoint> places, const ModelPoint& center,
