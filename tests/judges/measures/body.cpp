@@ -1,32 +1,12 @@
+#include "tests/judges/measures/body_judge.h"
+
+#include <algorithm>
 #include <cmath>
 
-#include "tests/judges/cases/known_faces.h"
-#include "tests/judges/cases/limbs.h"
-#include "tests/judges/measures/body_judge.h"
-#include "tests/judges/measures/solver.h"
+#include "tests/judges/measures/judged_sets.h"
+#include "tests/judges/measures/measure.h"
 
 namespace penpose::judges {
-namespace {
-
-std::vector<Outcome> judge(const Rig& rig, Extent extent) {
-  const auto cases = limbs(rig, extent);
-  const io::CaseFile file = file_of(cases);
-  const WholeFace figure(rig.model, file);
-  Solver solver(rig.model, file);
-  std::vector<Outcome> outcomes;
-  for (const Limb& one : cases) {
-    Outcome outcome{.name = one.asked.name, .hand = one.hand};
-    Answer answer = solver.meant(one.asked, io::TargetForm::drawn);
-    if (!answer.refused.empty()) answer.pose = rig::rest_pose(*rig.model.rig);
-    judge_body(figure, one.truth, answer.pose, outcome);
-    if (!answer.refused.empty()) outcome.note = answer.refused;
-    outcome.ms = answer.ms;
-    outcomes.push_back(std::move(outcome));
-  }
-  return outcomes;
-}
-
-}  // namespace
 
 void judge_body(const WholeFace& figure, const rig::Pose& truth, const rig::Pose& found, Outcome& outcome) {
   constexpr double k_stays = 0.005;
@@ -45,8 +25,18 @@ void judge_body(const WholeFace& figure, const rig::Pose& truth, const rig::Pose
   figure.count_controls(found, outcome);
 }
 
+std::vector<Outcome> judge_limbs(const document::Model& model, const std::vector<Limb>& cases) {
+  const io::CaseFile file = file_of(cases);
+  const WholeFace figure(model, file);
+  Solver solver(model, file);
+  return each_case(
+      model, cases, [&](const Limb& one) { return solver.meant(one.asked, io::TargetForm::drawn); },
+      [&](const Limb& one, const rig::Pose& pose, Outcome& outcome) { judge_body(figure, one.truth, pose, outcome); });
+}
+
 Measure body_measure() {
-  return {"body", [](const Rig& rig) { return !rig.moves.empty(); }, judge};
+  return {"body", [](const Rig& rig) { return !rig.moves.empty(); },
+          [](const Rig& rig, Extent extent) { return judge_limbs(rig.model, limbs(rig, extent)); }};
 }
 
 }  // namespace penpose::judges

@@ -11,7 +11,6 @@ namespace penpose::judges {
 /// What the program made of a case.
 struct Answer {
   rig::Pose pose;
-  double energy = 0;  ///< sum of distances, model units
   double ms = 0;
   std::string refused;  ///< why there is no pose
 };
