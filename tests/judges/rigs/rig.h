@@ -10,6 +10,9 @@
 
 namespace penpose::judges {
 
+using geometry::ModelPoint;
+using geometry::ModelVector;
+
 /// Which rigs a figure may be tuned on. Nobody chooses anything by looking at a rig that is held out.
 enum class Group : std::uint8_t { seen, held_out, shared };
 
