@@ -48,6 +48,21 @@ struct Artist {
     return names;
   }
 
+  /// The values of a pose that some line shows: who cannot see what a control does cannot mean it.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> shown(const KnownPose& pose, const Picture& picture) const {
+    std::vector<std::pair<std::string, double>> values;
+    for (const auto& value : pose.values) {
+      const auto places = posed(rig.model, pose_of(*rig.model.rig, {value}));
+      const bool seen = std::any_of(k_drawn.begin(), k_drawn.end(), [&](const char* name) {
+        const FaceLine* line = rig.line(name);
+        return line &&
+               farthest(picture.flat(rest, line->vertices), picture.flat(places, line->vertices)) >= 0.5 * k_moves_px;
+      });
+      if (seen) values.push_back(value);
+    }
+    return values;
+  }
+
   [[nodiscard]] KnownFace draw(const std::string& name, const std::vector<std::string>& lines, const Hand& hand,
                                const rig::Pose& truth, double yaw) const {
     const Picture picture(yaw, size);
@@ -95,13 +110,14 @@ std::vector<KnownFace> known_faces(const Rig& rig, Extent extent) {
   for (const KnownPose& pose : rig.poses) {
     constexpr std::array<double, 6> k_yaws{0, 0, 20, 0, -15, 30};
     const double yaw = k_yaws[seed_of(rig.name, pose.name) % k_yaws.size()];
-    const rig::Pose truth = pose_of(*rig.model.rig, pose.values);
+    const auto values = artist.shown(pose, Picture(yaw, artist.size));
+    const rig::Pose truth = pose_of(*rig.model.rig, values);
     const auto lines = artist.moved(posed(rig.model, truth), Picture(yaw, artist.size));
     ++number;
     if (lines.empty()) continue;
     for (const Hand& hand : hands_for(number, extent)) {
       faces.push_back(artist.draw(pose.name, lines, hand, truth, yaw));
-      faces.back().true_controls = static_cast<double>(pose.values.size());
+      faces.back().true_controls = static_cast<double>(values.size());
     }
   }
   const std::array<std::vector<std::string>, 3> still{{{"lip_upper", "lip_lower"}, {"brow_R"}, {"eyelid_upper_L"}}};

@@ -1,0 +1,105 @@
+#include "tests/judges/shared/shared_cases.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "core/io/model/read_model.h"
+#include "tests/support/shared_data.h"
+
+namespace penpose::judges {
+namespace {
+
+std::vector<std::uint8_t> bytes_of(const std::string& name) {
+  return tests::read_file(tests::shared_dir() / "meshes" / name);
+}
+
+template <typename Value>
+Value or_end(base::Result<Value> result, const std::string& name) {
+  if (!result) {
+    std::fprintf(stderr, "%s\n", result.error().line(name).c_str());
+    std::exit(1);
+  }
+  return std::move(result).value();
+}
+
+/// The JSON of a glTF binary: it begins after two headers, and its length stands before it.
+nlohmann::json gltf_json(const std::vector<std::uint8_t>& bytes) {
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < 4; ++k) length |= static_cast<std::size_t>(bytes[12 + k]) << (8 * k);
+  return nlohmann::json::parse(bytes.begin() + 20, bytes.begin() + 20 + static_cast<std::ptrdiff_t>(length));
+}
+
+std::string without_angle(const std::string& name) {
+  const std::size_t size = name.size();
+  const bool angle = size > 3 && name.compare(size - 3, 2, ".r") == 0 && name[size - 1] >= 'x' && name[size - 1] <= 'z';
+  return angle ? name.substr(0, size - 3) : name;
+}
+
+}  // namespace
+
+SharedFile read_shared_cases(const std::string& name) {
+  const auto bytes = bytes_of(name);
+  SharedFile file{or_end(io::read_cases(bytes), name), {}};
+  for (const auto& one : nlohmann::json::parse(bytes.begin(), bytes.end()).at("cases")) file.meant.push_back(one);
+  return file;
+}
+
+document::Model read_shared_model(const std::string& name) {
+  return or_end(io::read_model(bytes_of(name), name), name);
+}
+
+std::vector<std::string> controls_like(const document::Model& model, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::vector<std::string> found;
+  for (const rig::Parameter& p : model.rig->parameters()) {
+    const std::string control = without_angle(p.name);
+    if (std::regex_match(control, expression) && (found.empty() || found.back() != control)) found.push_back(control);
+  }
+  return found;
+}
+
+std::vector<KnownFace> known_faces_of(const document::Model& model, const SharedFile& file) {
+  std::vector<KnownFace> faces;
+  for (const io::PoseCase& one : file.cases.cases) {
+    KnownFace face;
+    face.asked = one;
+    face.truth = pose_of(*model.rig, one.weights);
+    face.true_controls = static_cast<double>(one.weights.size());
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+std::vector<Gesture> gestures_of(const document::Model& model, const SharedFile& file) {
+  std::vector<Gesture> gestures;
+  for (std::size_t i = 0; i < file.meant.size(); ++i) {
+    Gesture gesture;
+    gesture.asked = file.cases.cases[i];
+    for (const std::string pattern : file.meant[i].at("need")) gesture.needed.push_back(controls_like(model, pattern));
+    for (const std::string pattern : file.meant[i].at("accept")) {
+      for (std::string& name : controls_like(model, pattern)) gesture.accepted.push_back(std::move(name));
+    }
+    gestures.push_back(std::move(gesture));
+  }
+  return gestures;
+}
+
+std::vector<Limb> limbs_of(const document::Model& model, const std::string& model_name, const SharedFile& file) {
+  const nlohmann::json gltf = gltf_json(bytes_of(model_name));
+  std::vector<Limb> limbs;
+  for (std::size_t i = 0; i < file.meant.size(); ++i) {
+    std::vector<Move::Turn> turns;
+    for (const auto& turn : file.meant[i].at("turns")) {
+      const std::string name = gltf.at("nodes").at(turn[0].get<std::size_t>()).at("name");
+      for (std::size_t j = 0; j < model.skeleton->joints().size(); ++j) {
+        if (model.skeleton->joints()[j].name == name) turns.push_back({j, {turn[1], turn[2], turn[3]}});
+      }
+    }
+    limbs.push_back({file.cases.cases[i], "", turned_pose(model, turns)});
+  }
+  return limbs;
+}
+
+}  // namespace penpose::judges

@@ -1,0 +1,67 @@
+#include "tests/judges/shared/shared_sets.h"
+
+#include <algorithm>
+
+#include "tests/judges/shared/kinds.h"
+#include "tests/support/shared_data.h"
+
+namespace penpose::judges {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Which file of cases a measure takes.
+struct Files {
+  const char* measure;
+  const char* cases;
+};
+
+std::vector<Outcome> judged(const std::string& measure, const document::Model& model, const std::string& model_name,
+                            const SharedFile& file) {
+  if (measure == "gesture") return judge_gestures(model, gestures_of(model, file));
+  if (measure == "body") return judge_limbs(model, limbs_of(model, model_name, file));
+  const auto faces = known_faces_of(model, file);
+  if (measure == "exact") return judge_exact(model, faces);
+  return measure == "meant" ? judge_meant(model, faces) : judge_known_faces(model, faces);
+}
+
+SharedSet real(const std::string& name, const std::vector<Files>& files) {
+  SharedSet set{name, {}, {}};
+  for (const Files& one : files) set.measures.push_back(one.measure);
+  set.run = [name, files](const Names& measures) {
+    const std::string model_name = name + ".glb";
+    const document::Model model = read_shared_model(model_name);
+    std::vector<Judged> all;
+    for (const Files& one : files) {
+      if (std::find(measures.begin(), measures.end(), one.measure) == measures.end()) continue;
+      all.push_back({one.measure, name, "shared", judged(one.measure, model, model_name, read_shared_cases(one.cases))});
+    }
+    return all;
+  };
+  return set;
+}
+
+SharedSet kind(const std::string& name) {
+  return {name, {"gesture"}, [name](const Names&) {
+            const Kind made = make_kind(name);
+            return std::vector<Judged>{{"gesture", name, "shared", judge_gestures(made.model, made.gestures)}};
+          }};
+}
+
+}  // namespace
+
+std::vector<SharedSet> shared_sets() {
+  if (!tests::has_shared()) return {};
+  std::vector<SharedSet> sets{
+      real("ict_face", {{"intent", "ict_face_intent_cases.json"},
+                        {"exact", "ict_face_sketch_cases.json"},
+                        {"meant", "ict_face_pose_cases.json"}}),
+      real("ict_face_narrow", {{"intent", "ict_face_intent_cases.json"}, {"exact", "ict_face_sketch_cases.json"}}),
+      real("ict_avatar", {{"intent", "ict_avatar_intent_cases.json"}, {"gesture", "ict_avatar_gestures.json"}}),
+      real("cesium_man", {{"body", "cesium_body_cases.json"}}),
+  };
+  for (const std::string& name : kind_names()) sets.push_back(kind(name));
+  return sets;
+}
+
+}  // namespace penpose::judges
