@@ -6,7 +6,7 @@ namespace {
 
 /// A long crooked face by somebody in a hurry: lids, a big nose with wings, lips of two borders, hair of three strokes;
 /// many lines are in pieces and stop too early.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_passer_by(Sheet& sheet, const Mood& mood) {
   const double lean = sheet.random()(-25, 25), drop = 50 * mood.open;
   sheet.line({{230, 180}, {215, 420}, {270, 680}, {400 + lean, 770 + drop}, {530, 680}, {585, 420}, {570, 180}});
   sheet.line({{225, 220}, {280, 110}, {330, 90}});
@@ -25,7 +25,7 @@ void draw(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist passer_by() {
-  return {"passer_by", {.hand = {.name = "", .tremor_px = 2, .uneven = 0.5, .ends = 0.1}, .in_pieces = 0.35}, draw};
+  return {"passer_by", {.hand = {.name = "", .tremor_px = 2, .uneven = 0.5, .ends = 0.1}, .in_pieces = 0.35}, draw_passer_by};
 }
 
 }  // namespace penpose::judges::drawn

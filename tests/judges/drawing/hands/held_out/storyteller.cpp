@@ -5,7 +5,7 @@ namespace penpose::judges::drawn {
 namespace {
 
 /// Huge low eyes with heavy upper lids under a jagged fringe, a pointed chin, a nose of one tick, a tiny mouth.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_storyteller(Sheet& sheet, const Mood& mood) {
   const double chin = 715 + 25 * mood.open;
   sheet.corners({{175, 330}, {200, 500}, {300, 640}, {400, chin}, {500, 640}, {600, 500}, {625, 330}});
   sheet.corners({{190, 300}, {250, 150}, {290, 260}, {350, 130}, {400, 250}, {470, 130}, {510, 260}, {570, 160}, {612, 300}});
@@ -29,7 +29,7 @@ void draw(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist storyteller() {
-  return {"storyteller", {.hand = {.name = "", .tremor_px = 0.8, .uneven = 0.4, .ends = 0.03}, .doubled = 0.1}, draw};
+  return {"storyteller", {.hand = {.name = "", .tremor_px = 0.8, .uneven = 0.4, .ends = 0.03}, .doubled = 0.1}, draw_storyteller};
 }
 
 }  // namespace penpose::judges::drawn

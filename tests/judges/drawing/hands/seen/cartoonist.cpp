@@ -5,7 +5,7 @@ namespace penpose::judges::drawn {
 namespace {
 
 /// A round head on the sheet's middle, high eyes close together, a nose that hangs like a drop.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_cartoonist(Sheet& sheet, const Mood& mood) {
   const double apart = sheet.about(70, 0.08), eyes = sheet.about(300, 0.03), lips = sheet.about(560, 0.02);
   sheet.loop({{400, 60}, {620, 150}, {680, 380}, {590, 620}, {400, 720}, {210, 620}, {120, 380}, {180, 150}});
   for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
@@ -20,6 +20,6 @@ void draw(Sheet& sheet, const Mood& mood) {
 
 }  // namespace
 
-Artist cartoonist() { return {"cartoonist", {.hand = {.name = "", .tremor_px = 1, .ends = 0.02}}, draw}; }
+Artist cartoonist() { return {"cartoonist", {.hand = {.name = "", .tremor_px = 1, .ends = 0.02}}, draw_cartoonist}; }
 
 }  // namespace penpose::judges::drawn

@@ -5,7 +5,7 @@ namespace penpose::judges::drawn {
 namespace {
 
 /// As few lines as will do: brows only where they say something, and a nose on every other face.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_felt_pen(Sheet& sheet, const Mood& mood) {
   const bool rounded = sheet.random()(0, 1) < 0.5, nose = sheet.random()(0, 1) < 0.6;
   if (rounded) sheet.oval({400, 400}, sheet.about(330, 0.05), sheet.about(340, 0.05));
   for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
@@ -19,6 +19,6 @@ void draw(Sheet& sheet, const Mood& mood) {
 
 }  // namespace
 
-Artist felt_pen() { return {"felt_pen", {.hand = {.name = "", .tremor_px = 2, .ends = 0.1}}, draw}; }
+Artist felt_pen() { return {"felt_pen", {.hand = {.name = "", .tremor_px = 2, .ends = 0.1}}, draw_felt_pen}; }
 
 }  // namespace penpose::judges::drawn

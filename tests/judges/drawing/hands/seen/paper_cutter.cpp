@@ -5,7 +5,7 @@ namespace penpose::judges::drawn {
 namespace {
 
 /// A badge: a circle, large round eyes that laugh as roofs, a mouth of a closed shape, no nose.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_paper_cutter(Sheet& sheet, const Mood& mood) {
   sheet.oval({400, 400}, 350, 350);
   for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
     const double x = 400 + k_way[s] * sheet.about(130, 0.05);
@@ -18,7 +18,7 @@ void draw(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist paper_cutter() {
-  return {"paper_cutter", {.hand = {.name = "", .tremor_px = 0.5, .ends = 0.01}, .in_pieces = 0.15}, draw};
+  return {"paper_cutter", {.hand = {.name = "", .tremor_px = 0.5, .ends = 0.01}, .in_pieces = 0.15}, draw_paper_cutter};
 }
 
 }  // namespace penpose::judges::drawn

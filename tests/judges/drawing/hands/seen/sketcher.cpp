@@ -6,7 +6,7 @@ namespace {
 
 /// A woman near to life: lids and irises, lips of three lines, a long fringe, neck and shoulders; strokes go past their
 /// ends, and half of them are drawn twice.
-void draw(Sheet& sheet, const Mood& mood) {
+void draw_sketcher(Sheet& sheet, const Mood& mood) {
   const double apart = sheet.about(92, 0.05);
   const double chin = 700 + 40 * mood.open;
   sheet.line({{208, 330}, {220, 480}, {290, 630}, {400, chin}, {510, 630}, {580, 480}, {592, 330}});
@@ -26,7 +26,7 @@ void draw(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist sketcher() {
-  return {"sketcher", {.hand = {.name = "", .tremor_px = 1.5, .ends = 0.06}, .doubled = 0.5, .in_pieces = 0.2}, draw};
+  return {"sketcher", {.hand = {.name = "", .tremor_px = 1.5, .ends = 0.06}, .doubled = 0.5, .in_pieces = 0.2}, draw_sketcher};
 }
 
 }  // namespace penpose::judges::drawn
