@@ -13,7 +13,7 @@ namespace {
 
 using namespace drawn;
 
-/// An expression, of either side where it has one.
+/// An expression, of either side where it has one. Contempt is drawn as a smirk is.
 struct Meant {
   Expression expression;
   std::optional<Side> side;
@@ -22,6 +22,7 @@ std::vector<Meant> all_meant() {
   std::vector<Meant> all;
   for (std::size_t e = 0; e < k_expression_count; ++e) {
     const auto expression = static_cast<Expression>(e);
+    if (expression == Expression::contempt) continue;
     if (has_side(expression)) {
       all.push_back({expression, Side::left});
       all.push_back({expression, Side::right});
@@ -39,9 +40,9 @@ std::vector<Outcome> judge_faces(const Rig& rig, Extent extent) {
   std::vector<Outcome> out;
   for (std::size_t m = 0; m < meant.size(); ++m) {
     for (std::size_t a = 0; a < artists.size(); ++a) {
-      // A brief look takes every other expression, each by one artist; which ones differs from rig to rig.
-      const std::size_t first = seed_of(rig.name, "brief") % 64;
-      if (extent == Extent::brief && ((m + first) % 2 == 1 || a != (m / 2 + first) % artists.size())) continue;
+      // A brief look takes every fourth, each by one artist; which ones differs from rig to rig.
+      const std::size_t turn = seed_of(rig.name, "turn") % 64;
+      if (extent == Extent::brief && ((m + turn) % 4 != 0 || a != (m / 4 + turn) % artists.size())) continue;
       std::string name = expression_name(meant[m].expression);
       if (meant[m].side) name += *meant[m].side == Side::left ? "_L" : "_R";
       const auto drawing = drawn_face(artists[a], meant[m].expression, meant[m].side, seed_of(artists[a].name, name, seed_of(rig.name, "")));
@@ -66,7 +67,7 @@ std::vector<Outcome> judge_things(const Rig& rig, Extent extent) {
   std::vector<Outcome> out;
   const std::size_t first = seed_of(rig.name, "things") % no_faces().size();
   for (std::size_t t = 0; t < no_faces().size(); ++t) {
-    if (extent == Extent::brief && (t + first) % 4 != 0) continue;
+    if (extent == Extent::brief && t != first) continue;
     const NoFace& thing = no_faces()[t];
     out.push_back(as_thing(reading.outcome(drawn_thing(thing, seed_of(rig.name, thing.name)), Expression::rest, {})));
     out.back().name = thing.name;
@@ -97,6 +98,11 @@ std::vector<Outcome> judge_shared(const Rig& rig, Extent) {
 Measure drawn_face_measure() { return {"drawn_faces", has_face, judge_faces}; }
 Measure shared_drawing_measure() {
   return {"shared_drawings", [](const Rig& rig) { return rig.group == Group::shared && has_face(rig); }, judge_shared};
+}
+std::vector<Measure> drawing_measures() {
+  auto all = known_drawing_measures();
+  all.insert(all.end(), {drawn_face_measure(), no_face_measure(), shared_drawing_measure()});
+  return all;
 }
 Measure no_face_measure() { return {"no_faces", has_face, judge_things}; }
 

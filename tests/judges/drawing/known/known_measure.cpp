@@ -32,7 +32,7 @@ std::vector<NamedPose> poses_of(const Rig& rig, const JudgedFace& face) {
 
 Outcome outcome_of(const JudgedFace& face, const NamedPose& meant, const Artist& artist, const KnownDrawing& drawing) {
   Outcome out;
-  out.name = meant.name + (drawing.over ? " over" : " beside");
+  out.name = meant.name;
   out.hand = artist.name;
   const auto start = std::chrono::steady_clock::now();
   const auto found = read(face, face.marks, drawing.drawing(), drawing.yaw_degrees);
@@ -48,28 +48,26 @@ Outcome outcome_of(const JudgedFace& face, const NamedPose& meant, const Artist&
   return out;
 }
 
-/// The numbers of what is looked at: all, or a share of it that differs from measure to measure.
-constexpr std::size_t k_brief_step = 4;
+/// A brief look takes every other pose, each drawn by one artist, and one of the faces at rest.
+bool taken(Extent extent, std::size_t pose, std::size_t artist, std::size_t artists, std::size_t turn) {
+  return extent == Extent::whole || ((pose + turn) % 2 == 0 && artist == (pose / 2 + turn) % artists);
+}
 
-template <int Percent>
+template <int Percent, bool Over>
 std::vector<Outcome> judge(const Rig& rig, Extent extent) {
   const JudgedFace face = face_of(rig);
   const auto poses = poses_of(rig, face);
   const auto artists = artists_for(rig.group);
+  // What a brief look takes differs from measure to measure and from rig to rig.
+  const std::size_t turn = seed_of(rig.name, "turn", Percent + (Over ? 1 : 0)) % 64;
   std::vector<Outcome> out;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const bool rest = !rig::Pose(poses[i].pose).empty() && poses[i].pose == rig::rest_pose(face.rig());
     for (std::size_t a = 0; a < artists.size(); ++a) {
-      for (const bool over : {true, false}) {
-        // A brief look takes each artist in turn, over the face and beside it.
-        const std::size_t number = (i * artists.size() + a) * 2 + (over ? 0 : 1);
-        const bool taken = rest ? a == i % artists.size() : (number + Percent / 10) % (k_brief_step * artists.size()) == 0;
-        if (extent == Extent::brief && !taken) continue;
-        const auto face_seed = seed_of(rig.name, poses[i].name), hand_seed = seed_of(rig.name, poses[i].name, 1000 * Percent + number + 1);
-        const Freedom freedom{Percent / 100.0, over};
-        out.push_back(outcome_of(face, poses[i], artists[a],
-                                 draw_known(face, poses[i].pose, artists[a], freedom, face_seed, hand_seed)));
-      }
+      if (!taken(extent, i, a, artists.size(), turn)) continue;
+      const std::string by = poses[i].name + " by " + artists[a].name;
+      out.push_back(outcome_of(face, poses[i], artists[a],
+                               draw_known(face, poses[i].pose, artists[a], {Percent / 100.0, Over},
+                                          seed_of(rig.name, poses[i].name), seed_of(rig.name, by, Percent))));
     }
   }
   return out;
@@ -77,10 +75,10 @@ std::vector<Outcome> judge(const Rig& rig, Extent extent) {
 
 }  // namespace
 
-std::array<Measure, 3> known_drawing_measures() {
-  return {{{"drawing_exact", has_face, judge<0>},
-           {"drawing_10_off", has_face, judge<10>},
-           {"drawing_20_off", has_face, judge<20>}}};
+std::vector<Measure> known_drawing_measures() {
+  return {{"drawing_over", has_face, judge<0, true>},       {"drawing_over_10", has_face, judge<10, true>},
+          {"drawing_over_20", has_face, judge<20, true>},   {"drawing_beside", has_face, judge<0, false>},
+          {"drawing_beside_10", has_face, judge<10, false>}, {"drawing_beside_20", has_face, judge<20, false>}};
 }
 
 }  // namespace penpose::judges
