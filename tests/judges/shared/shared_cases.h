@@ -24,7 +24,6 @@ struct SharedFile {
 /// Controls whose names, a joint's without its angle, one of the patterns matches.
 [[nodiscard]] std::vector<std::string> controls_like(const document::Model& model, const std::string& pattern);
 /// Cases with `turns` of nodes, by their numbers in the model's file.
-[[nodiscard]] std::vector<Limb> limbs_of(const document::Model& model, const std::string& model_name,
-                                         const SharedFile& file);
+[[nodiscard]] std::vector<Limb> limbs_of(const document::Model& model, const SharedFile& file);
 
 }  // namespace penpose::judges

@@ -16,10 +16,9 @@ struct Files {
   const char* cases;
 };
 
-std::vector<Outcome> judged(const std::string& measure, const document::Model& model, const std::string& model_name,
-                            const SharedFile& file) {
+std::vector<Outcome> judged(const std::string& measure, const document::Model& model, const SharedFile& file) {
   if (measure == "gesture") return judge_gestures(model, gestures_of(model, file));
-  if (measure == "body") return judge_limbs(model, limbs_of(model, model_name, file));
+  if (measure == "body") return judge_limbs(model, limbs_of(model, file));
   const auto faces = known_faces_of(model, file);
   if (measure == "exact") return judge_exact(model, faces);
   return measure == "meant" ? judge_meant(model, faces) : judge_known_faces(model, faces);
@@ -29,12 +28,11 @@ SharedSet real(const std::string& name, const std::vector<Files>& files) {
   SharedSet set{name, {}, {}};
   for (const Files& one : files) set.measures.push_back(one.measure);
   set.run = [name, files](const Names& measures) {
-    const std::string model_name = name + ".glb";
-    const document::Model model = read_shared_model(model_name);
+    const document::Model model = read_shared_model(name + ".glb");
     std::vector<Judged> all;
     for (const Files& one : files) {
       if (std::find(measures.begin(), measures.end(), one.measure) == measures.end()) continue;
-      all.push_back({one.measure, name, "shared", judged(one.measure, model, model_name, read_shared_cases(one.cases))});
+      all.push_back({one.measure, name, "shared", judged(one.measure, model, read_shared_cases(one.cases))});
     }
     return all;
   };
