@@ -46,6 +46,22 @@ document::Model read_shared_model(const std::string& name) {
   return or_end(io::read_model(bytes_of(name), name), name);
 }
 
+Rig shared_face(const std::string& name, document::Model model, const SharedFile& file) {
+  Rig rig;
+  rig.name = name;
+  rig.kind = "a real face";
+  rig.group = Group::shared;
+  rig.model = std::move(model);
+  const auto bytes = bytes_of("ict_face_landmarks.json");
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+  for (const auto& [curve, line] : json.at("curves").items())
+    rig.lines.push_back({curve, line.at("vertices").get<std::vector<std::uint32_t>>()});
+  for (const io::PoseCase& one : file.cases.cases) {
+    if (!one.weights.empty()) rig.poses.push_back({one.name, one.weights});
+  }
+  return rig;
+}
+
 std::vector<std::string> controls_like(const document::Model& model, const std::string& pattern) {
   const std::regex expression(pattern);
   std::vector<std::string> found;

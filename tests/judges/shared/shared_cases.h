@@ -17,6 +17,9 @@ struct SharedFile {
 [[nodiscard]] SharedFile read_shared_cases(const std::string& name);
 [[nodiscard]] document::Model read_shared_model(const std::string& name);
 
+/// A face with the lines of ict_face_landmarks.json, under their names there, and the poses of these cases.
+[[nodiscard]] Rig shared_face(const std::string& name, document::Model model, const SharedFile& file);
+
 /// Cases with `weights`.
 [[nodiscard]] std::vector<KnownFace> known_faces_of(const document::Model& model, const SharedFile& file);
 /// Cases with `need` and `accept`, regular expressions of whole names.
