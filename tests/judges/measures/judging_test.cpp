@@ -4,6 +4,7 @@
 #include "tests/judges/measures/bounded.h"
 #include "tests/judges/measures/gesture_judge.h"
 #include "tests/judges/measures/judged_sets.h"
+#include "tests/judges/measures/least_sum.h"
 
 namespace penpose::judges {
 namespace {
@@ -155,6 +156,13 @@ TEST(JudgesBounded, FindsTheLeastSquaresWithinTheRange) {
   const auto y = bounded_least_squares({{1, 0, 1}, {0, 2, 1}}, {0.25, 1, 0.75}, 1e-6);
   EXPECT_NEAR(y[0], 0.25, 1e-6);
   EXPECT_NEAR(y[1], 0.5, 1e-6);
+}
+
+TEST(JudgesLeastSum, IsThatOfTheMedianWithinTheRange) {
+  const std::vector<std::vector<ModelVector>> columns{{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}};
+  EXPECT_NEAR(least_sum_of_distances(columns, {{0.1, 0, 0}, {0.2, 0, 0}, {0.9, 0, 0}}), 0.8, 1e-5);
+  // Beyond the range the nearest end is best.
+  EXPECT_NEAR(least_sum_of_distances(columns, {{1.5, 0, 0}, {2, 0, 0}, {3, 0, 0}}), 3.5, 1e-9);
 }
 
 }  // namespace
