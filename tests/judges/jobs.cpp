@@ -26,6 +26,22 @@ Job of_own(const RigMaker& maker, const std::vector<Measure>& measures, Extent e
   };
 }
 
+Job of_shared(const SharedSet& set, const std::vector<std::string>& names, const std::vector<Measure>& measures,
+              Extent extent) {
+  return [set, names, &measures, extent] {
+    std::vector<Judged> all;
+    if (!names.empty()) all = set.run(names);
+    const bool own = std::any_of(measures.begin(), measures.end(), [](const Measure& m) { return !needs_cases(m.name); });
+    if (!own || !set.rig_of) return all;
+    const Rig rig = set.rig_of();
+    for (const Measure& measure : measures) {
+      if (!needs_cases(measure.name) && measure.applies(rig))
+        all.push_back({measure.name, rig.name, group_name(rig.group), measure.judge(rig, extent)});
+    }
+    return all;
+  };
+}
+
 std::vector<Job> jobs_of(const Wanted& wanted, const std::vector<Measure>& measures) {
   std::vector<Job> jobs;
   for (const RigMaker& maker : own_rigs()) {
@@ -37,7 +53,7 @@ std::vector<Job> jobs_of(const Wanted& wanted, const std::vector<Measure>& measu
     for (const std::string& name : set.measures) {
       if (has(wanted.measures, name)) names.push_back(name);
     }
-    if (has(wanted.rigs, set.rig) && !names.empty()) jobs.push_back([set, names] { return set.run(names); });
+    if (has(wanted.rigs, set.rig)) jobs.push_back(of_shared(set, names, measures, wanted.extent));
   }
   return jobs;
 }

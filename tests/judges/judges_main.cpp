@@ -74,7 +74,7 @@ bool write(const std::filesystem::path& path, const json& value) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   std::ofstream file(path);
-  file << value.dump(1) << '\n';
+  file << lined(value) << '\n';
   file.close();
   if (file.fail()) std::cerr << path.string() << ": cannot be written; choose another place\n";
   return !file.fail();

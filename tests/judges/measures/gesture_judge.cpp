@@ -11,6 +11,8 @@
 namespace penpose::judges {
 namespace {
 
+/// Per cent of the size that nobody sees.
+constexpr double k_still = 0.2;
 /// Radians by which a joint is turned to see what it does.
 constexpr double k_small_turn = 0.1;
 
@@ -227,7 +229,7 @@ void GestureJudge::judge(const Gesture& gesture, const rig::Pose& pose, Outcome&
   }
   if (asked.asked > 0 && asked.went < 0.15 * 0.15 * asked.asked) {
     outcome.nothing = 1;
-    outcome.right = gesture.still_is_right ? 1 : 0;
+    outcome.right = gesture.still_is_right && *outcome.stray <= k_still ? 1 : 0;
     return;
   }
   const bool all_met = std::find(met.begin(), met.end(), false) == met.end();

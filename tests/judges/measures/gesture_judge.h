@@ -14,7 +14,8 @@ namespace penpose::judges {
 ///            movement, all else than needed and accepted at most 0.2 of it, and no other joint turns by more than half a
 ///            degree; or the whole face is within 45 % of what bounded least squares with the needed and accepted shapes
 ///            make of the lines
-///   nothing  the drawn curves go less than 0.15 of the way that they were drawn
+///   nothing  the drawn curves go less than 0.15 of the way that they were drawn; right where no control does what was
+///            drawn and no vertex moves by more than 0.2 % of the size
 ///   stray    the largest movement of a vertex that no needed or accepted control moves and no line is drawn along
 /// Movement is that of all vertices. A control that does what a needed one does (cosine 0.99) counts as that one.
 class GestureJudge {

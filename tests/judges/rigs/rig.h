@@ -21,7 +21,7 @@ enum class Group : std::uint8_t { seen, held_out, shared };
 
 /// A line of the face that an artist draws, through vertices in order. Names are those of the built-in head: lip_upper,
 /// lip_lower, lip_upper_inner, lip_lower_inner, jaw, nose_bridge, and of each side (_L, _R) brow, eyelid_upper,
-/// eyelid_lower.
+/// eyelid_lower. A shared face has the names of its file of landmarks.
 struct FaceLine {
   std::string name;
   std::vector<std::uint32_t> vertices;

@@ -1,10 +1,12 @@
 #include "tests/judges/shared/shared_cases.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "core/document/source_file.h"
 #include "core/io/model/read_model.h"
 #include "tests/support/shared_data.h"
 
@@ -24,13 +26,6 @@ Value or_end(base::Result<Value> result, const std::string& name) {
   return std::move(result).value();
 }
 
-/// The JSON of a glTF binary: it begins after two headers, and its length stands before it.
-nlohmann::json gltf_json(const std::vector<std::uint8_t>& bytes) {
-  std::size_t length = 0;
-  for (std::size_t k = 0; k < 4; ++k) length |= static_cast<std::size_t>(bytes[12 + k]) << (8 * k);
-  return nlohmann::json::parse(bytes.begin() + 20, bytes.begin() + 20 + static_cast<std::ptrdiff_t>(length));
-}
-
 std::string without_angle(const std::string& name) {
   const std::size_t size = name.size();
   const bool angle = size > 3 && name.compare(size - 3, 2, ".r") == 0 && name[size - 1] >= 'x' && name[size - 1] <= 'z';
@@ -42,12 +37,29 @@ std::string without_angle(const std::string& name) {
 SharedFile read_shared_cases(const std::string& name) {
   const auto bytes = bytes_of(name);
   SharedFile file{or_end(io::read_cases(bytes), name), {}};
-  for (const auto& one : nlohmann::json::parse(bytes.begin(), bytes.end()).at("cases")) file.meant.push_back(one);
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+  for (const auto& one : json.at("cases")) file.meant.push_back(one);
   return file;
 }
 
 document::Model read_shared_model(const std::string& name) {
   return or_end(io::read_model(bytes_of(name), name), name);
+}
+
+Rig shared_face(const std::string& name, document::Model model, const SharedFile& file) {
+  Rig rig;
+  rig.name = name;
+  rig.kind = "a real face";
+  rig.group = Group::shared;
+  rig.model = std::move(model);
+  const auto bytes = bytes_of("ict_face_landmarks.json");
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+  for (const auto& [curve, line] : json.at("curves").items())
+    rig.lines.push_back({curve, line.at("vertices").get<std::vector<std::uint32_t>>()});
+  for (const io::PoseCase& one : file.cases.cases) {
+    if (!one.weights.empty()) rig.poses.push_back({one.name, one.weights});
+  }
+  return rig;
 }
 
 std::vector<std::string> controls_like(const document::Model& model, const std::string& pattern) {
@@ -86,16 +98,14 @@ std::vector<Gesture> gestures_of(const document::Model& model, const SharedFile&
   return gestures;
 }
 
-std::vector<Limb> limbs_of(const document::Model& model, const std::string& model_name, const SharedFile& file) {
-  const nlohmann::json gltf = gltf_json(bytes_of(model_name));
+std::vector<Limb> limbs_of(const document::Model& model, const SharedFile& file) {
+  const auto& nodes = model.source->nodes;
   std::vector<Limb> limbs;
   for (std::size_t i = 0; i < file.meant.size(); ++i) {
     std::vector<Move::Turn> turns;
     for (const auto& turn : file.meant[i].at("turns")) {
-      const std::string name = gltf.at("nodes").at(turn[0].get<std::size_t>()).at("name");
-      for (std::size_t j = 0; j < model.skeleton->joints().size(); ++j) {
-        if (model.skeleton->joints()[j].name == name) turns.push_back({j, {turn[1], turn[2], turn[3]}});
-      }
+      const auto joint = std::find(nodes.begin(), nodes.end(), std::optional(turn[0].get<std::size_t>()));
+      turns.push_back({static_cast<std::size_t>(joint - nodes.begin()), {turn[1], turn[2], turn[3]}});
     }
     limbs.push_back({file.cases.cases[i], "", turned_pose(model, turns)});
   }

@@ -17,6 +17,9 @@ struct SharedFile {
 [[nodiscard]] SharedFile read_shared_cases(const std::string& name);
 [[nodiscard]] document::Model read_shared_model(const std::string& name);
 
+/// A face with the lines of ict_face_landmarks.json, under their names there, and the poses of these cases.
+[[nodiscard]] Rig shared_face(const std::string& name, document::Model model, const SharedFile& file);
+
 /// Cases with `weights`.
 [[nodiscard]] std::vector<KnownFace> known_faces_of(const document::Model& model, const SharedFile& file);
 /// Cases with `need` and `accept`, regular expressions of whole names.
@@ -24,7 +27,6 @@ struct SharedFile {
 /// Controls whose names, a joint's without its angle, one of the patterns matches.
 [[nodiscard]] std::vector<std::string> controls_like(const document::Model& model, const std::string& pattern);
 /// Cases with `turns` of nodes, by their numbers in the model's file.
-[[nodiscard]] std::vector<Limb> limbs_of(const document::Model& model, const std::string& model_name,
-                                         const SharedFile& file);
+[[nodiscard]] std::vector<Limb> limbs_of(const document::Model& model, const SharedFile& file);
 
 }  // namespace penpose::judges

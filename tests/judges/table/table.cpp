@@ -1,8 +1,8 @@
 #include "tests/judges/table/table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/numbers.h"
@@ -133,16 +133,35 @@ constexpr std::array<Member, 8> k_members{{{"error_median", &Row::error_median},
                                            {"controls", &Row::controls},
                                            {"true_controls", &Row::true_controls}}};
 
+/// Files keep four digits behind the point.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
 }  // namespace
 
 nlohmann::json row_to_json(const Row& row) {
-  nlohmann::json json{{"measure", row.measure}, {"rig", row.rig},           {"group", row.group},
-                      {"cases", row.cases},     {"ms_median", row.ms_median}, {"ms_worst", row.ms_worst}};
+  nlohmann::json json{{"measure", row.measure},
+                      {"rig", row.rig},
+                      {"group", row.group},
+                      {"cases", row.cases},
+                      {"ms_median", rounded(row.ms_median)},
+                      {"ms_worst", rounded(row.ms_worst)}};
   if (row.of > 0) json.update({{"right", row.right}, {"nothing", row.nothing}, {"of", row.of}});
   for (const Member& member : k_members) {
-    if (row.*member.value) json[member.name] = *(row.*member.value);
+    if (row.*member.value) json[member.name] = rounded(*(row.*member.value));
   }
   return json;
+}
+
+std::string lined(const nlohmann::json& value) {
+  const bool list = value.is_array();
+  std::string text = list ? "[" : "{";
+  const char* before = "\n ";
+  for (const auto& [name, member] : value.items()) {
+    const bool rows = name == "rows" && member.is_array();
+    text += before + (list ? "" : nlohmann::json(name).dump() + ": ") + (rows ? lined(member) : member.dump());
+    before = ",\n ";
+  }
+  return text + (list ? "\n]" : "\n}");
 }
 
 Row row_from_json(const nlohmann::json& json) {

@@ -34,5 +34,7 @@ struct Row {
 /// Members that have no value are left out.
 [[nodiscard]] nlohmann::json row_to_json(const Row& row);
 [[nodiscard]] Row row_from_json(const nlohmann::json& json);
+/// JSON with a line for each member, and for each of its "rows".
+[[nodiscard]] std::string lined(const nlohmann::json& value);
 
 }  // namespace penpose::judges
