@@ -6,12 +6,6 @@ namespace penpose::judges::drawn {
 
 using geometry::ModelPoint;
 
-std::vector<ModelPoint> positions_of(const rig::Rig& rig, const rig::Pose& pose) {
-  std::vector<ModelPoint> positions(rig.vertex_count());
-  rig.evaluate(pose, positions);
-  return positions;
-}
-
 CurvePlaces places_of(std::span<const portrait::FeatureCurve> curves, std::span<const ModelPoint> positions) {
   CurvePlaces places;
   for (const portrait::FeatureCurve& curve : curves) {

@@ -4,15 +4,11 @@
 #include <vector>
 
 #include "core/portrait/feature_curve.h"
-#include "core/rig/rig.h"
 
 namespace penpose::judges::drawn {
 
 /// Where the points of feature curves are: one run a curve.
 using CurvePlaces = std::vector<std::vector<geometry::ModelPoint>>;
-
-/// Positions of all vertices of a rig.
-[[nodiscard]] std::vector<geometry::ModelPoint> positions_of(const rig::Rig& rig, const rig::Pose& pose);
 
 /// `positions`: of all vertices of the rig that the curves lie on.
 [[nodiscard]] CurvePlaces places_of(std::span<const portrait::FeatureCurve> curves,

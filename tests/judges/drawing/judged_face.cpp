@@ -1,19 +1,25 @@
 #include "tests/judges/drawing/judged_face.h"
 
 #include "core/document/features/drawing_start.h"
-#include "tests/judges/drawing/curve_places.h"
+#include "tests/judges/cases/picture.h"
 
 namespace penpose::judges::drawn {
 
-JudgedFace face_of(const Rig& rig) {
-  JudgedFace face{document::make_document(rig.model), intent::measure_whole_model(*rig.model.rig), {}, {}};
+std::shared_ptr<const JudgedFace> face_of(const Rig& rig) {
+  thread_local std::shared_ptr<const JudgedFace> last;
+  // The last face holds its rig, so that no other one can have its address.
+  if (last && last->model().rig == rig.model.rig) return last;
+  auto face = std::make_shared<JudgedFace>();
+  face->document = document::make_document(rig.model);
+  face->whole = intent::measure_whole_model(*rig.model.rig);
   for (const FaceLine& line : rig.lines) {
     portrait::FeatureCurve mark{line.name, {}};
     for (const std::uint32_t v : line.vertices) mark.points.push_back(posing::at_vertex(v));
-    face.marks.push_back(std::move(mark));
+    face->marks.push_back(std::move(mark));
   }
-  face.rest = positions_of(face.rig(), rig::rest_pose(face.rig()));
-  return face;
+  face->rest = posed(face->model(), rig::rest_pose(face->rig()));
+  last = std::move(face);
+  return last;
 }
 
 bool has_face(const Rig& rig) {

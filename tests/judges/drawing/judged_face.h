@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,14 @@ struct JudgedFace {
   std::vector<portrait::FeatureCurve> marks;
   std::vector<geometry::ModelPoint> rest;  ///< of all vertices
 
-  [[nodiscard]] const rig::CharacterRig& rig() const { return *document.model->rig; }
-  [[nodiscard]] double front_yaw_degrees() const { return document.model->front_yaw_degrees; }
+  [[nodiscard]] const document::Model& model() const { return *document.model; }
+  [[nodiscard]] const rig::CharacterRig& rig() const { return *model().rig; }
+  [[nodiscard]] double front_yaw_degrees() const { return model().front_yaw_degrees; }
 };
 
-/// Precondition: the rig has lines, and the model has their vertices.
-[[nodiscard]] JudgedFace face_of(const Rig& rig);
+/// The last one is kept on each thread, for measures that look at the same rig one after the other. Precondition: the
+/// rig has lines, and the model has their vertices.
+[[nodiscard]] std::shared_ptr<const JudgedFace> face_of(const Rig& rig);
 /// Whether the face has what drawings of faces are judged by: lips.
 [[nodiscard]] bool has_face(const Rig& rig);
 

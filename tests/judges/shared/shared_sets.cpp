@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "tests/judges/drawing/shared_faces.h"
 #include "tests/judges/shared/kinds.h"
 #include "tests/support/shared_data.h"
 
@@ -74,7 +73,6 @@ std::vector<SharedSet> shared_sets() {
       face("ict_avatar", {{"intent", "ict_avatar_intent_cases.json"}, {"gesture", "ict_avatar_gestures.json"}}),
       real("cesium_man", {{"body", "cesium_body_cases.json"}}),
   };
-  for (const char* name : {"ict_face", "ict_avatar"}) sets.push_back(shared_face_set(name));
   for (const std::string& name : kind_names()) sets.push_back(kind(name));
   return sets;
 }

@@ -22,7 +22,7 @@ MouthPoints points_of(const Place& at, const Mood& mood, double drop) {
   out.left = corner(0);
   out.right = corner(1);
   const double sag = smile * at.half_height * 0.6;
-  out.upper = at.middle + PxPoint{0, sag * (mood.open > 0.05 ? 0.2 : 1.0) - mood.sneer * 0.5 * at.half_height};
+  out.upper = at.middle + PxPoint{0, sag * (mood.open > 0.05 ? 0.2 : 1.0)};
   out.lower = out.upper + PxPoint{0, mood.open * drop};
   if (mood.open > 0.05) out.lower.y += std::max(sag, 0.0);
   return out;
@@ -70,7 +70,9 @@ void lipped_mouth(Sheet& sheet, const Place& at, const Mood& mood) {
 
 void dot_eye(Sheet& sheet, const Place& at, double lid) {
   const double w = at.half_width, h = at.half_height;
-  if (lid < 0.1) return sheet.line({at.middle + PxPoint{-1.8 * w, 0}, at.middle + PxPoint{0, 0.9 * h}, at.middle + PxPoint{1.8 * w, 0}});
+  if (lid < 0.1)
+    return sheet.line(
+        {at.middle + PxPoint{-1.8 * w, 0}, at.middle + PxPoint{0, 0.9 * h}, at.middle + PxPoint{1.8 * w, 0}});
   if (lid < 0.6) return sheet.line({at.middle + PxPoint{-1.5 * w, 0}, at.middle, at.middle + PxPoint{1.5 * w, 0}});
   if (lid > 1.15) sheet.oval(at.middle, 2.2 * w, 2.2 * h * lid / 1.3);
   sheet.oval(at.middle, w, h);
@@ -104,9 +106,12 @@ void lidded_eye(Sheet& sheet, const Place& at, double lid, double outwards) {
     sheet.line({outer, outer + PxPoint{outwards * 0.25 * w, 0.3 * h}});
     return;
   }
-  sheet.line({inner, at.middle + PxPoint{-outwards * 0.4 * w, top * 0.8}, at.middle + PxPoint{outwards * 0.2 * w, top}, outer});
-  sheet.line({inner, at.middle + PxPoint{-outwards * 0.2 * w, 0.6 * h}, at.middle + PxPoint{outwards * 0.4 * w, 0.55 * h}, outer});
-  if (lid > 0.45) sheet.oval(at.middle + PxPoint{0, (top + 0.5 * h) / 2}, 0.38 * w, std::min(0.7 * h, 0.5 * (0.6 * h - top)));
+  sheet.line({inner, at.middle + PxPoint{-outwards * 0.4 * w, top * 0.8}, at.middle + PxPoint{outwards * 0.2 * w, top},
+              outer});
+  sheet.line({inner, at.middle + PxPoint{-outwards * 0.2 * w, 0.6 * h},
+              at.middle + PxPoint{outwards * 0.4 * w, 0.55 * h}, outer});
+  if (lid > 0.45)
+    sheet.oval(at.middle + PxPoint{0, (top + 0.5 * h) / 2}, 0.38 * w, std::min(0.7 * h, 0.5 * (0.6 * h - top)));
 }
 
 void brow(Sheet& sheet, const Place& at, const Mood& mood, std::size_t side, double arch) {

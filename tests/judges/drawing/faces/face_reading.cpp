@@ -23,9 +23,8 @@ std::string words(const FaceReading::Came& came) {
 
 }  // namespace
 
-FaceReading::FaceReading(const Rig& rig)
-    : face_(std::make_unique<JudgedFace>(face_of(rig))), judge_(FaceJudge::make(*face_).value()) {
-  auto found = document::feature_curves_of(*face_->document.model, face_->whole, {});
+FaceReading::FaceReading(const Rig& rig) : face_(face_of(rig)), judge_(FaceJudge::make(*face_).value()) {
+  auto found = document::feature_curves_of(face_->model(), face_->whole, {});
   if (found) {
     curves_ = std::move(found->curves);
   } else {
@@ -34,10 +33,10 @@ FaceReading::FaceReading(const Rig& rig)
 }
 
 FaceReading::Came FaceReading::read(const portrait::Drawing& drawing, Expression meant, std::optional<Side> side) {
-  if (!refused_.empty()) return {judge_.look(face_->rest, meant, side), refused_};
+  if (!refused_.empty()) return {judge_.look(rig::rest_pose(face_->rig()), meant, side), refused_};
   const auto found = drawn::read(*face_, curves_, drawing, face_->front_yaw_degrees());
-  if (!found) return {judge_.look(face_->rest, meant, side), found.error().line()};
-  return {judge_.look(positions_of(face_->rig(), found->pose), meant, side), {}};
+  if (!found) return {judge_.look(rig::rest_pose(face_->rig()), meant, side), found.error().line()};
+  return {judge_.look(found->pose, meant, side), {}};
 }
 
 Outcome FaceReading::outcome(const portrait::Drawing& drawing, Expression meant, std::optional<Side> side) {

@@ -12,6 +12,7 @@ class FaceReading {
  public:
   /// Precondition: has_face(rig).
   explicit FaceReading(const Rig& rig);
+  [[nodiscard]] const JudgedFace& face() const { return *face_; }
 
   /// What came of a drawing; nothing where the program refuses it.
   struct Came {
@@ -23,7 +24,7 @@ class FaceReading {
   [[nodiscard]] Outcome outcome(const portrait::Drawing& drawing, Expression meant, std::optional<Side> side);
 
  private:
-  std::unique_ptr<const JudgedFace> face_;
+  std::shared_ptr<const JudgedFace> face_;
   FaceJudge judge_;
   std::vector<portrait::FeatureCurve> curves_;  ///< empty: the program found none
   std::string refused_;

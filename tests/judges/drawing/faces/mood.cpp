@@ -9,12 +9,16 @@ Mood full(Expression expression, std::optional<Side> side) {
   const std::size_t here = side == Side::right ? 1 : 0;
   Mood mood;
   switch (expression) {
-    case Expression::rest: break;
+    case Expression::rest:
+    case Expression::disgust:
+    case Expression::contempt:
+      break;
     case Expression::happy:
       mood = {.smile = both(0.9), .wide = 0.4, .brow_in = both(0.1), .brow_out = both(0.15)};
       break;
     case Expression::laugh:
-      mood = {.smile = both(0.9), .open = 0.8, .wide = 0.5, .brow_in = both(0.2), .brow_out = both(0.3), .lid = both(0.5)};
+      mood = {
+          .smile = both(0.9), .open = 0.8, .wide = 0.5, .brow_in = both(0.2), .brow_out = both(0.3), .lid = both(0.5)};
       break;
     case Expression::sad:
       mood = {.smile = both(-0.8), .brow_in = both(0.8), .brow_out = both(-0.3), .lid = both(0.8)};
@@ -25,11 +29,9 @@ Mood full(Expression expression, std::optional<Side> side) {
     case Expression::surprised:
       mood = {.open = 0.8, .wide = -0.4, .brow_in = both(0.8), .brow_out = both(0.8), .lid = both(1.4)};
       break;
-    case Expression::disgust:
-      mood = {.smile = both(-0.5), .brow_in = both(-0.7), .brow_out = both(-0.2), .lid = both(0.6), .sneer = 1};
-      break;
     case Expression::fear:
-      mood = {.smile = both(-0.5), .open = 0.3, .wide = 0.3, .brow_in = both(0.9), .brow_out = both(0.3), .lid = both(1.4)};
+      mood = {
+          .smile = both(-0.5), .open = 0.3, .wide = 0.3, .brow_in = both(0.9), .brow_out = both(0.3), .lid = both(1.4)};
       break;
     case Expression::wink:
       mood = {.smile = both(0.6), .wide = 0.2};
@@ -40,18 +42,22 @@ Mood full(Expression expression, std::optional<Side> side) {
       mood.smile[here] = 0.9;
       mood.brow_out[here] = 0.4;
       break;
-    case Expression::contempt:
-      mood.smile[here] = 0.7;
-      mood.lid = both(0.7);
+    case Expression::sleepy:
+      mood = {.brow_in = both(-0.1), .brow_out = both(-0.2), .lid = both(0.2)};
       break;
-    case Expression::sleepy: mood = {.brow_in = both(-0.1), .brow_out = both(-0.2), .lid = both(0.2)}; break;
-    case Expression::kiss: mood.wide = -1; break;
-    case Expression::open: mood = {.open = 0.8, .wide = -0.2}; break;
+    case Expression::kiss:
+      mood.wide = -1;
+      break;
+    case Expression::open:
+      mood = {.open = 0.8, .wide = -0.2};
+      break;
   }
   return mood;
 }
 
 }  // namespace
+
+bool is_drawn(Expression expression) { return expression != Expression::disgust && expression != Expression::contempt; }
 
 Mood mood_of(Expression expression, std::optional<Side> side, double strength) {
   Mood mood = full(expression, side);
@@ -61,7 +67,6 @@ Mood mood_of(Expression expression, std::optional<Side> side, double strength) {
     if (mood.lid[s] > 1) mood.lid[s] = 1 + (mood.lid[s] - 1) * strength;
   }
   mood.open *= strength;
-  mood.sneer *= strength;
   return mood;
 }
 

@@ -15,10 +15,13 @@ struct Mood {
   std::array<double, 2> brow_in{};   ///< inner end of a brow, up
   std::array<double, 2> brow_out{};  ///< outer end
   std::array<double, 2> lid{1, 1};   ///< the eyes: 0 shut, 1 as at rest
-  double sneer = 0;                  ///< upper lip and wings of the nose, up
 };
 
-/// `strength`: 1 as people draw it.
+/// Whether artists draw it: contempt is drawn as a smirk is, and disgust by a nose that is wrinkled, for which most
+/// have no line.
+[[nodiscard]] bool is_drawn(Expression expression);
+
+/// A face at rest for what is not drawn. `strength`: 1 as people draw it.
 [[nodiscard]] Mood mood_of(Expression expression, std::optional<Side> side, double strength);
 
 }  // namespace penpose::judges::drawn

@@ -39,7 +39,8 @@ base::Result<std::vector<SharedDrawing>> shared_drawings(const std::filesystem::
     auto drawing = meaning_of(file.filename().string());
     if (!drawing) continue;
     const auto lines = io::read_svg_lines(tests::read_file(file));
-    if (!lines) return base::Error{lines.error().what, file.string() + ": " + lines.error().place, lines.error().remedy};
+    if (!lines)
+      return base::Error{lines.error().what, file.string() + ": " + lines.error().place, lines.error().remedy};
     for (const io::PictureLine& line : lines->lines) drawing->drawing.lines.push_back(line.points);
     out.push_back(std::move(*drawing));
   }

@@ -7,7 +7,7 @@
 #include "core/base/math.h"
 #include "core/portrait/proportions.h"
 #include "core/portrait/sheet_warp.h"
-#include "tests/judges/drawing/known/picture.h"
+#include "tests/judges/drawing/known/camera_picture.h"
 
 namespace penpose::judges::drawn {
 namespace {
@@ -36,7 +36,7 @@ std::vector<std::size_t> shuffled(std::size_t count, tests::Random& random) {
 }
 
 /// The marks that an artist draws: of each control one that it moves at least half as much as any.
-std::vector<std::size_t> chosen(const JudgedFace& face, const Picture& picture, const rig::Pose& pose,
+std::vector<std::size_t> chosen(const JudgedFace& face, const CameraPicture& picture, const rig::Pose& pose,
                                 tests::Random& random) {
   std::vector<std::vector<double>> ways;
   for (const rig::Pose& one : single_moves(face.rig(), pose)) {
@@ -105,7 +105,8 @@ Placing placing_of(const Freedom& freedom, tests::Random& random) {
 void draw_once(std::vector<std::size_t>& kept, const Lines& rest, const Lines& now) {
   for (std::size_t a = 0; a < kept.size(); ++a) {
     for (std::size_t b = a + 1; b < kept.size() && kept.size() > k_fewest;) {
-      const bool same = apart(rest[kept[a]], rest[kept[b]]) < k_same_place && apart(now[kept[a]], now[kept[b]]) < k_same_place;
+      const bool same =
+          apart(rest[kept[a]], rest[kept[b]]) < k_same_place && apart(now[kept[a]], now[kept[b]]) < k_same_place;
       if (same) {
         kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(b));
       } else {
@@ -146,7 +147,7 @@ KnownDrawing draw_known(const JudgedFace& face, const rig::Pose& pose, const Art
   tests::Random choice(face_seed), random(hand_seed);
   const double aside = choice(0, 1) < 0.5 ? 0 : (choice(0, 1) < 0.5 ? -1 : 1) * choice(8, 20);
   KnownDrawing out{{}, freedom.over, face.front_yaw_degrees() + aside};
-  const Picture picture(face, out.yaw_degrees);
+  const CameraPicture picture(face, out.yaw_degrees);
   Lines now = picture.seen(pose);
   std::vector<std::size_t> kept = chosen(face, picture, pose, choice);
   draw_once(kept, picture.rest(), now);
@@ -165,8 +166,17 @@ KnownDrawing draw_known(const JudgedFace& face, const rig::Pose& pose, const Art
   return out;
 }
 
+std::size_t right_labels(const KnownDrawing& drawing, std::span<const portrait::LineRead> read) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const auto& right = drawing.lines[i].right;
+    if (read[i].curve && std::find(right.begin(), right.end(), *read[i].curve) != right.end()) ++count;
+  }
+  return count;
+}
+
 bool is_shown_by_lines(const JudgedFace& face, const rig::Pose& pose) {
-  const Picture picture(face, face.front_yaw_degrees());
+  const CameraPicture picture(face, face.front_yaw_degrees());
   const Lines lines = picture.seen(pose);
   for (std::size_t c = 0; c < lines.size(); ++c) {
     if (moved(lines[c], picture.rest()[c]) >= 0.01 * k_face_px) return true;

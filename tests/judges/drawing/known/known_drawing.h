@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tests/judges/drawing/faces/artist.h"
@@ -34,6 +35,9 @@ struct KnownDrawing {
 /// beside it; the view and the choice of lines are those of `face_seed`, everything else is that of `hand_seed`.
 [[nodiscard]] KnownDrawing draw_known(const JudgedFace& face, const rig::Pose& pose, const Artist& artist,
                                       const Freedom& freedom, std::uint64_t face_seed, std::uint64_t hand_seed);
+
+/// How many lines were taken for a mark that is right. `read`: one a line; empty: nothing was read.
+[[nodiscard]] std::size_t right_labels(const KnownDrawing& drawing, std::span<const portrait::LineRead> read);
 
 /// Whether drawn lines can show a pose: some mark moves by a hundredth of the face or more, seen from the front.
 [[nodiscard]] bool is_shown_by_lines(const JudgedFace& face, const rig::Pose& pose);

@@ -1,7 +1,9 @@
 #include <chrono>
 
+#include "tests/judges/cases/known_faces.h"
 #include "tests/judges/drawing/drawing_measures.h"
-#include "tests/judges/drawing/known/known_judge.h"
+#include "tests/judges/drawing/known/known_drawing.h"
+#include "tests/judges/measures/whole_face.h"
 
 namespace penpose::judges {
 namespace {
@@ -15,14 +17,10 @@ struct NamedPose {
 
 /// Known poses that drawn lines can show, and a face at rest twice: once from its front, once from anywhere.
 std::vector<NamedPose> poses_of(const Rig& rig, const JudgedFace& face) {
-  const auto parameters = face.rig().parameters();
   const rig::Pose rest = rig::rest_pose(face.rig());
   std::vector<NamedPose> out;
   for (const KnownPose& known : rig.poses) {
-    NamedPose one{known.name, rest};
-    for (const auto& [name, value] : known.values) {
-      if (const auto p = rig::find_parameter(parameters, name)) one.pose[*p] = value;
-    }
+    NamedPose one{known.name, pose_of(face.rig(), known.values)};
     if (is_shown_by_lines(face, one.pose)) out.push_back(std::move(one));
   }
   out.push_back({"rest", rest});
@@ -30,32 +28,42 @@ std::vector<NamedPose> poses_of(const Rig& rig, const JudgedFace& face) {
   return out;
 }
 
-Outcome outcome_of(const JudgedFace& face, const NamedPose& meant, const Artist& artist, const KnownDrawing& drawing) {
+/// Compares whole models; the size is that of all marks.
+WholeFace whole_face(const JudgedFace& face, const Rig& rig) {
+  io::PoseCase marks;
+  for (const FaceLine& line : rig.lines) marks.references.push_back({line.name, line.vertices, {}, {}});
+  return {face.model(), {{}, {marks}}};
+}
+
+Outcome outcome_of(const JudgedFace& face, const WholeFace& whole, const NamedPose& meant, const Artist& artist,
+                   const KnownDrawing& drawing) {
   Outcome out;
   out.name = meant.name;
   out.hand = artist.name;
   const auto start = std::chrono::steady_clock::now();
   const auto found = read(face, face.marks, drawing.drawing(), drawing.yaw_degrees);
   out.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  out.of = static_cast<double>(drawing.lines.size());
+  if (found) {
+    out.right = static_cast<double>(right_labels(drawing, found->read.lines));
+  } else {
+    out.note = found.error().line();
+  }
   // Who is refused sees a face at rest.
-  const auto verdict = found ? judged(face, meant.pose, found->pose, drawing, found->read.lines)
-                             : judged(face, meant.pose, rig::rest_pose(face.rig()), drawing, {});
-  if (!found) out.note = found.error().line();
-  out.right = static_cast<double>(verdict.right);
-  out.of = static_cast<double>(verdict.of);
-  out.error = verdict.error_percent;
-  (out.error ? out.stray : out.still) = verdict.stray_percent;
+  whole.judge(whole.moved(meant.pose), whole.moved(found ? found->pose : rig::rest_pose(face.rig())), out);
   return out;
 }
 
-/// A brief look takes every other pose, each drawn by one artist, and one of the faces at rest.
+/// A brief look takes every fifth pose, drawn by one artist.
 bool taken(Extent extent, std::size_t pose, std::size_t artist, std::size_t artists, std::size_t turn) {
-  return extent == Extent::whole || ((pose + turn) % 2 == 0 && artist == (pose / 2 + turn) % artists);
+  return extent == Extent::whole || ((pose + turn) % 5 == 0 && artist == (pose / 5 + turn) % artists);
 }
 
 template <int Percent, bool Over>
 std::vector<Outcome> judge(const Rig& rig, Extent extent) {
-  const JudgedFace face = face_of(rig);
+  const auto kept = face_of(rig);
+  const JudgedFace& face = *kept;
+  const WholeFace whole = whole_face(face, rig);
   const auto poses = poses_of(rig, face);
   const auto artists = artists_for(rig.group);
   // What a brief look takes differs from measure to measure and from rig to rig.
@@ -65,7 +73,7 @@ std::vector<Outcome> judge(const Rig& rig, Extent extent) {
     for (std::size_t a = 0; a < artists.size(); ++a) {
       if (!taken(extent, i, a, artists.size(), turn)) continue;
       const std::string by = poses[i].name + " by " + artists[a].name;
-      out.push_back(outcome_of(face, poses[i], artists[a],
+      out.push_back(outcome_of(face, whole, poses[i], artists[a],
                                draw_known(face, poses[i].pose, artists[a], {Percent / 100.0, Over},
                                           seed_of(rig.name, poses[i].name), seed_of(rig.name, by, Percent))));
     }
@@ -76,8 +84,8 @@ std::vector<Outcome> judge(const Rig& rig, Extent extent) {
 }  // namespace
 
 std::vector<Measure> known_drawing_measures() {
-  return {{"drawing_over", has_face, judge<0, true>},       {"drawing_over_10", has_face, judge<10, true>},
-          {"drawing_over_20", has_face, judge<20, true>},   {"drawing_beside", has_face, judge<0, false>},
+  return {{"drawing_over", has_face, judge<0, true>},        {"drawing_over_10", has_face, judge<10, true>},
+          {"drawing_over_20", has_face, judge<20, true>},    {"drawing_beside", has_face, judge<0, false>},
           {"drawing_beside_10", has_face, judge<10, false>}, {"drawing_beside_20", has_face, judge<20, false>}};
 }
 

@@ -8,13 +8,13 @@
 namespace penpose::judges::drawn {
 namespace {
 
-constexpr std::array<const char*, k_expression_count> k_names{"rest",    "happy", "laugh", "sad",   "angry",
-                                                              "surprised", "disgust", "fear",  "wink",  "smirk",
+constexpr std::array<const char*, k_expression_count> k_names{"rest",      "happy",   "laugh", "sad",  "angry",
+                                                              "surprised", "disgust", "fear",  "wink", "smirk",
                                                               "contempt",  "sleepy",  "kiss",  "open"};
 constexpr std::array<const char*, k_sign_count> k_sign_names{
-    "corner",       "corner_left", "corner_right", "corner_skew", "gap",       "width",     "brow_in",
-    "brow_in_left", "brow_in_right", "brow_out",   "brow_tilt",   "lid",       "lid_left",  "lid_right",
-    "lid_least",    "lid_skew",    "lid_this",     "lid_other",   "sneer"};
+    "corner",       "corner_left",   "corner_right", "corner_skew", "gap",  "width",    "brow_in",
+    "brow_in_left", "brow_in_right", "brow_out",     "brow_tilt",   "lid",  "lid_left", "lid_right",
+    "lid_least",    "lid_skew",      "lid_this",     "lid_other",   "sneer"};
 
 Condition above(Sign sign, double bound) { return {sign, true, bound}; }
 Condition below(Sign sign, double bound) { return {sign, false, bound}; }

@@ -40,9 +40,7 @@ struct Condition {
   bool above = true;
   double bound = 0;
 
-  [[nodiscard]] bool holds(const Signs& signs) const {
-    return above ? signs[sign] > bound : signs[sign] < bound;
-  }
+  [[nodiscard]] bool holds(const Signs& signs) const { return above ? signs[sign] > bound : signs[sign] < bound; }
   /// "corner > 0.045".
   [[nodiscard]] std::string words() const;
 };

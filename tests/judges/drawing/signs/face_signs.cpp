@@ -90,8 +90,8 @@ base::Result<FaceSigns> FaceSigns::make(std::span<const FeatureCurve> curves, co
   signs.rest_ = signs.numbers(lines);
   for (std::size_t s = 0; s < 2; ++s) {
     if (!signs.lid_upper_[s].any()) continue;
-    signs.open_[s] = signs.lid_lower_[s].any() ? signs.rest_.lid[s]
-                                               : k_open * extent_x(lines[signs.lid_upper_[s].curve]).size();
+    signs.open_[s] =
+        signs.lid_lower_[s].any() ? signs.rest_.lid[s] : k_open * extent_x(lines[signs.lid_upper_[s].curve]).size();
   }
   return signs;
 }
@@ -197,8 +197,7 @@ FaceSigns::Numbers FaceSigns::numbers(const Flat& lines) const {
     out.corner[s] = corner[s].y - (upper.y + lower.y) / 2;
     out.brow_in[s] = brow_in_[s].any() ? at(brow_in_[s]).y : 0;
     out.brow_out[s] = brow_out_[s].any() ? at(brow_out_[s]).y : 0;
-    if (lid_upper_[s].any())
-      out.lid[s] = at(lid_upper_[s]).y - (lid_lower_[s].any() ? at(lid_lower_[s]).y : 0);
+    if (lid_upper_[s].any()) out.lid[s] = at(lid_upper_[s]).y - (lid_lower_[s].any() ? at(lid_lower_[s]).y : 0);
   }
   out.gap = upper_inner_.any() ? at(upper_inner_).y - at(lower_inner_).y : upper.y - lower.y;
   out.width = geometry::distance(corner[0], corner[1]);

@@ -22,8 +22,8 @@ glm::dquat turn_onto(std::span<const ModelPoint> a, std::span<const ModelPoint> 
   }
   const double x = s[1][2] - s[2][1], y = s[2][0] - s[0][2], z = s[0][1] - s[1][0];
   const double xy = s[0][1] + s[1][0], zx = s[2][0] + s[0][2], yz = s[1][2] + s[2][1];
-  const auto eigen = algebra::symmetric_eigen({s[0][0] + s[1][1] + s[2][2], x, y, z,    //
-                                               x, s[0][0] - s[1][1] - s[2][2], xy, zx,  //
+  const auto eigen = algebra::symmetric_eigen({s[0][0] + s[1][1] + s[2][2], x, y, z,     //
+                                               x, s[0][0] - s[1][1] - s[2][2], xy, zx,   //
                                                y, xy, -s[0][0] + s[1][1] - s[2][2], yz,  //
                                                z, zx, yz, -s[0][0] - s[1][1] + s[2][2]},
                                               4);

@@ -4,12 +4,11 @@
 #include <array>
 #include <numeric>
 
+#include "tests/judges/cases/picture.h"
 #include "tests/judges/drawing/signs/head_turn.h"
 
 namespace penpose::judges::drawn {
 namespace {
-
-using geometry::ModelPoint;
 
 /// Of so many controls that show most of a sign all pairs are tried.
 constexpr std::size_t k_tried = 10;
@@ -25,7 +24,8 @@ CurvePlaces sum_of(const CurvePlaces& one, const CurvePlaces& other, const Curve
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
-  constexpr std::array<const char*, 7> k_names{"recognised", "partly", "wrong", "nothing", "left out", "still", "moved"};
+  constexpr std::array<const char*, 7> k_names{"recognised", "partly", "wrong", "nothing",
+                                               "left out",   "still",  "moved"};
   return k_names[static_cast<std::size_t>(verdict)];
 }
 
@@ -48,7 +48,7 @@ void FaceJudge::find_ways() {
       if (end == parameters[p].rest) continue;
       rig::Pose pose = rig::rest_pose(rig);
       pose[p] = end;
-      CurvePlaces places = places_of(face_->marks, positions_of(rig, pose));
+      CurvePlaces places = places_of(face_->marks, posed(face_->model(), pose));
       if (places != rest_) ways_.push_back(std::move(places));
     }
   }
@@ -79,11 +79,20 @@ bool FaceJudge::can_show(const AnyOf& sign, std::optional<Side> side) {
   return can;
 }
 
-Seen FaceJudge::look(std::span<const ModelPoint> posed, Expression meant, std::optional<Side> side) {
+bool FaceJudge::turns_joints(const rig::Pose& pose) const {
+  const rig::Pose rest = rig::rest_pose(face_->rig());
+  for (std::size_t p = 0; p < pose.size(); ++p) {
+    if (face_->whole.joint[p] != intent::k_no_partner && pose[p] != rest[p]) return true;
+  }
+  return false;
+}
+
+Seen FaceJudge::look(const rig::Pose& pose, Expression meant, std::optional<Side> side) {
+  const auto places = posed(face_->model(), pose);
   Seen seen;
-  seen.moved_percent = 100 * largest_move(face_->rest, posed) / signs_.height();
-  HeldStill held{places_of(face_->marks, posed), 0};
-  if (face_->rig().skeleton() != nullptr) held = without_head_turn(rest_, held.places, signs_.fixed());
+  seen.moved_percent = 100 * largest_move(face_->rest, places) / signs_.height();
+  HeldStill held{places_of(face_->marks, places), 0};
+  if (turns_joints(pose)) held = without_head_turn(rest_, held.places, signs_.fixed());
   seen.head_degrees = held.degrees;
   seen.signs = signs_.of(held.places, side);
   seen.torn_percent = 100 * signs_.crossing(held.places) / signs_.height();
@@ -116,12 +125,12 @@ Seen FaceJudge::look(std::span<const ModelPoint> posed, Expression meant, std::o
   }
   if (seen.torn) seen.other.emplace_back("torn");
   if (seen.head_degrees > k_head_degrees) seen.other.emplace_back("head");
-  seen.verdict = need == 0                               ? Verdict::left_out
-                 : seen.moved_percent < k_seen_percent   ? Verdict::nothing
-                 : !seen.other.empty()                   ? Verdict::wrong
-                 : there == need                         ? Verdict::recognised
-                 : 2 * there >= need                     ? Verdict::partly
-                                                         : Verdict::wrong;
+  seen.verdict = need == 0                             ? Verdict::left_out
+                 : seen.moved_percent < k_seen_percent ? Verdict::nothing
+                 : !seen.other.empty()                 ? Verdict::wrong
+                 : there == need                       ? Verdict::recognised
+                 : 2 * there >= need                   ? Verdict::partly
+                                                       : Verdict::wrong;
   return seen;
 }
 

@@ -39,8 +39,8 @@ class FaceJudge {
   /// Errors: those of FaceSigns::make. Precondition: `face` outlives this.
   static base::Result<FaceJudge> make(const JudgedFace& face);
 
-  /// What is seen of an expression (of a side, where one is meant) in the pose of all vertices.
-  [[nodiscard]] Seen look(std::span<const geometry::ModelPoint> posed, Expression meant, std::optional<Side> side);
+  /// What is seen of an expression (of a side, where one is meant) in a pose.
+  [[nodiscard]] Seen look(const rig::Pose& pose, Expression meant, std::optional<Side> side);
   /// Whether a single control of the rig at an end of its range shows a sign, or two of them together do. Rigs of
   /// joints alone are taken for able.
   [[nodiscard]] bool can_show(const AnyOf& sign, std::optional<Side> side);
@@ -48,6 +48,7 @@ class FaceJudge {
  private:
   FaceJudge(const JudgedFace& face, FaceSigns signs) : face_(&face), signs_(std::move(signs)) {}
   void find_ways();
+  [[nodiscard]] bool turns_joints(const rig::Pose& pose) const;
 
   const JudgedFace* face_;
   FaceSigns signs_;

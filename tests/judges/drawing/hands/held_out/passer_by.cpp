@@ -1,5 +1,5 @@
-#include "tests/judges/drawing/hands/held_out/held_out_artists.h"
 #include "tests/judges/drawing/faces/conventions.h"
+#include "tests/judges/drawing/hands/held_out/held_out_artists.h"
 
 namespace penpose::judges::drawn {
 namespace {
@@ -16,7 +16,8 @@ void draw_passer_by(Sheet& sheet, const Mood& mood) {
     const PxPoint at{400 + 0.3 * lean + k_way[s] * 88, 330 + k_way[s] * 0.3 * lean};
     lidded_eye(sheet, {at, sheet.about(42, 0.1), sheet.about(24, 0.15)}, mood.lid[s], k_way[s]);
     brow(sheet, {at - PxPoint{0, 62}, 52, 30}, mood, s, 6);
-    sheet.line({{400 + lean + k_way[s] * 28, 490}, {400 + lean + k_way[s] * 50, 520}, {400 + lean + k_way[s] * 22, 536}});
+    sheet.line(
+        {{400 + lean + k_way[s] * 28, 490}, {400 + lean + k_way[s] * 50, 520}, {400 + lean + k_way[s] * 22, 536}});
   }
   sheet.line({{380, 340}, {372 + 0.7 * lean, 450}, {400 + lean, 545}});
   lipped_mouth(sheet, {{400 + lean, 640}, sheet.about(88, 0.1), sheet.about(36, 0.1)}, mood);
@@ -25,7 +26,9 @@ void draw_passer_by(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist passer_by() {
-  return {"passer_by", {.hand = {.name = "", .tremor_px = 2, .uneven = 0.5, .ends = 0.1}, .in_pieces = 0.35}, draw_passer_by};
+  return {"passer_by",
+          {.hand = {.name = "", .tremor_px = 2, .uneven = 0.5, .ends = 0.1}, .in_pieces = 0.35},
+          draw_passer_by};
 }
 
 }  // namespace penpose::judges::drawn

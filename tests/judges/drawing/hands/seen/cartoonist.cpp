@@ -1,5 +1,5 @@
-#include "tests/judges/drawing/hands/seen/seen_artists.h"
 #include "tests/judges/drawing/faces/conventions.h"
+#include "tests/judges/drawing/hands/seen/seen_artists.h"
 
 namespace penpose::judges::drawn {
 namespace {

@@ -1,5 +1,5 @@
-#include "tests/judges/drawing/hands/seen/seen_artists.h"
 #include "tests/judges/drawing/faces/conventions.h"
+#include "tests/judges/drawing/hands/seen/seen_artists.h"
 
 namespace penpose::judges::drawn {
 namespace {
@@ -26,7 +26,9 @@ void draw_sketcher(Sheet& sheet, const Mood& mood) {
 }  // namespace
 
 Artist sketcher() {
-  return {"sketcher", {.hand = {.name = "", .tremor_px = 1.5, .ends = 0.06}, .doubled = 0.5, .in_pieces = 0.2}, draw_sketcher};
+  return {"sketcher",
+          {.hand = {.name = "", .tremor_px = 1.5, .ends = 0.06}, .doubled = 0.5, .in_pieces = 0.2},
+          draw_sketcher};
 }
 
 }  // namespace penpose::judges::drawn

@@ -16,10 +16,10 @@ inline constexpr geometry::PxPoint k_picture_middle{k_picture_px / 2, k_picture_
 inline constexpr double k_face_px = 800;
 
 /// What a camera sees of a face's marks, in the size in which hands draw.
-class Picture {
+class CameraPicture {
  public:
   /// Seen from this side of its front.
-  Picture(const JudgedFace& face, double yaw_degrees);
+  CameraPicture(const JudgedFace& face, double yaw_degrees);
 
   [[nodiscard]] Lines seen(const rig::Pose& pose) const;
   [[nodiscard]] const Lines& rest() const { return rest_; }

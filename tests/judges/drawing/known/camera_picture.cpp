@@ -1,8 +1,9 @@
-#include "tests/judges/drawing/known/picture.h"
+#include "tests/judges/drawing/known/camera_picture.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "tests/judges/cases/picture.h"
 #include "tests/judges/drawing/curve_places.h"
 #include "tests/judges/hands/hand.h"
 
@@ -10,7 +11,7 @@ namespace penpose::judges::drawn {
 
 using geometry::PxPoint;
 
-Picture::Picture(const JudgedFace& face, double yaw_degrees)
+CameraPicture::CameraPicture(const JudgedFace& face, double yaw_degrees)
     : face_(face),
       camera_(portrait::camera_of_drawing(face.rig(), face.marks, rig::rest_pose(face.rig()), yaw_degrees)) {
   PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
@@ -26,9 +27,9 @@ Picture::Picture(const JudgedFace& face, double yaw_degrees)
   rest_ = seen(rig::rest_pose(face.rig()));
 }
 
-Lines Picture::seen(const rig::Pose& pose) const {
+Lines CameraPicture::seen(const rig::Pose& pose) const {
   Lines lines;
-  for (const auto& places : places_of(face_.marks, positions_of(face_.rig(), pose))) {
+  for (const auto& places : places_of(face_.marks, posed(face_.model(), pose))) {
     portrait::DrawnLine line;
     for (const auto& place : places)
       line.push_back(k_picture_middle + (camera_.project(place).value_or(PxPoint{}) - middle_) * scale_);
