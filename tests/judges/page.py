@@ -17,8 +17,15 @@ MEASURES = [
     ("body", "limbs of known poses: error of the figure, of its height"),
     ("exact", "exact targets, preset `exact`: gap to the least sum of distances"),
     ("meant", "the same targets, default preset: error of the whole face"),
-    ("drawing", "one drawing of a whole face: *right* are lines given their own curve; error of the whole face"),
-    ("drawn_faces", "expressions that people drew: *right* if the face shows their signs"),
+    ("drawing_over", "one drawing of a whole face of a known pose, over it: *right* are lines given their own curve"),
+    ("drawing_over_10", "the same, place and proportions 10 % off"),
+    ("drawing_over_20", "the same, 20 % off"),
+    ("drawing_beside", "the same anywhere on a sheet of its own, larger or smaller, turned"),
+    ("drawing_beside_10", "the same, proportions 10 % off"),
+    ("drawing_beside_20", "the same, 20 % off"),
+    ("drawn_faces", "faces as people draw them: *right* if the face shows the signs of what is meant; stray: torn lips and lids"),
+    ("no_faces", "drawings of other things: *right* if nothing moves"),
+    ("shared_drawings", "faces and other things of the shared data, judged like these two"),
 ]
 
 

@@ -100,8 +100,8 @@ TEST(DrawingOfAKnownPose, TheRightLabelsAreAllRightAndOthersAreNot) {
       draw_known(face, pose_of(face.rig(), rig.poses.front().values), artists_for(Group::seen)[0], {0.1, false}, 3, 4);
   std::vector<portrait::LineRead> right, wrong;
   for (const MeantLine& line : drawing.lines) {
-    right.push_back({line.right.front()});
-    wrong.push_back({});
+    right.emplace_back().curve = line.right.front();
+    wrong.emplace_back();
   }
   EXPECT_EQ(right_labels(drawing, right), drawing.lines.size());
   EXPECT_EQ(right_labels(drawing, wrong), 0U);

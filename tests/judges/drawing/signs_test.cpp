@@ -39,7 +39,7 @@ TEST_F(DrawingSigns, APoseOfAnExpressionIsRecognised) {
     std::optional<Side> side;
   };
   for (const Case& one : {Case{"smile", Expression::happy, {}},
-                          {"frown", Expression::sad, {}},
+                          {"sad", Expression::sad, {}},
                           {"surprise", Expression::surprised, {}},
                           {"anger", Expression::angry, {}},
                           {"wink_L", Expression::wink, Side::left},
