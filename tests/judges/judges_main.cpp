@@ -1,5 +1,5 @@
-// Judges how well the program reads what was drawn, on rigs that are made by code and, where they are, on the shared ones.
-// Prints a table and writes it as JSON. docs/developing.md says how it is used.
+// Judges how well the program reads what was drawn, on rigs that are made by code and, where they are, on the shared
+// ones. Prints a table and writes it as JSON. docs/developing.md says how it is used.
 
 #include <algorithm>
 #include <cstdio>
