@@ -123,6 +123,12 @@ bool bounded(const Arguments& arguments, const std::vector<Row>& rows) {
 }
 
 int run(const Arguments& arguments) {
+  const Wanted& wanted = arguments.wanted;
+  if (!arguments.bounds.empty() &&
+      (wanted.extent != Extent::brief || !wanted.measures.empty() || !wanted.rigs.empty())) {
+    std::cerr << arguments.bounds << ": bounds are those of all of --short; leave out --only and --rig, add --short\n";
+    return 2;
+  }
   const auto judged = judge_all(arguments.wanted);
   if (judged.empty()) {
     std::cerr << "no rig and no measure of these names; leave out --rig and --only to see all\n";

@@ -11,14 +11,19 @@ import os
 import sys
 
 GROUPS = {"seen": "seen", "held_out": "held out", "shared": "shared"}
+OF_RIGS = ("intent", "gesture", "meant", "drawing_exact", "drawn_faces")     # what the page says of each rig
 MEASURES = [
     ("intent", "faces of known poses by several hands: error of the whole face, of its movement"),
     ("gesture", "lines that no pose meets: *right* if what an artist means moves and little else"),
     ("body", "limbs of known poses: error of the figure, of its height"),
     ("exact", "exact targets, preset `exact`: gap to the least sum of distances"),
     ("meant", "the same targets, default preset: error of the whole face"),
-    ("drawing", "one drawing of a whole face: *right* are lines given their own curve; error of the whole face"),
-    ("drawn_faces", "expressions that people drew: *right* if the face shows their signs"),
+    ("drawing_exact", "drawings of known poses, lines without labels: *right* are lines taken for what they are"),
+    ("drawing_10_off", "the same with proportions and places a tenth off"),
+    ("drawing_20_off", "the same, a fifth off"),
+    ("drawn_faces", "expressions as people draw them: *right* if the face shows them"),
+    ("no_faces", "drawings of other things: *right* if nothing moves"),
+    ("shared_drawings", "expressions drawn by others"),
 ]
 
 
@@ -73,9 +78,10 @@ def judged(table):
         cells.append([r["measure"], GROUPS[r["group"]], str(r["cases"]), right(r), error(r), stray, still, number(r["ms_median"])])
     yield from lines_of(["measure", "rigs", "cases", "right", "error", "stray", "still", "ms"], cells)
     yield ""
+    measures = [m for m in measures if m in OF_RIGS]
     rigs = []
     for r in rows:
-        if r["rig"] != "all" and r["group"] != "held_out" and r["rig"] not in rigs:
+        if r["rig"] != "all" and r["group"] != "held_out" and r["measure"] in measures and r["rig"] not in rigs:
             rigs.append(r["rig"])
     cells = []
     for rig in rigs:
