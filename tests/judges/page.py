@@ -61,7 +61,7 @@ def judged(table):
     yield "## How it reads what was drawn"
     yield ""
     yield f"Edition {table['edition']}, commit {table.get('commit', 'unknown')}, {table.get('machine', 'a machine')}; `tests/judges/run`."
-    yield "Rigs are made by code; nobody chose anything by looking at those *held out*, so only their totals are shown. *Shared*: real models."
+    yield "Code makes the rigs; nobody chose anything by looking at those *held out*, so only their totals are shown. *Shared*: real models."
     yield ""
     for name, text in MEASURES:
         if name in measures:
@@ -104,8 +104,8 @@ def page(folder):
     parts = [read(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if name.endswith(".json") and name != "table.json"]
     parts.sort(key=lambda part: part["order"])
     out = ["# Measurements", "",
-           "Made by `tests/judges/page.py` of the figures in `tests/judges/measured`. A figure holds for the edition that it was taken with (0:",
-           "before there were any). Where no machine is named, it was one core of a shared 2-core AMD EPYC.", ""]
+           "`tests/judges/page.py` makes this page from `tests/judges/measured`. A figure was measured with the edition that its row names (0:",
+           "before there were any), on one core of a shared 2-core AMD EPYC if no machine is named.", ""]
     out += judged(read(os.path.join(folder, "table.json")))
     for part in parts:
         out += [""] + list(section(part))

@@ -61,7 +61,7 @@ Rig make_doubles() {
 
 Rig make_correctives() {
   const Parts parts = reshaped(head_parts(), other_person);
-  FaceBuilder face("correctives", "small corrections of pairs of shapes beside ARKit's, which nobody draws",
+  FaceBuilder face("correctives", "ARKit's names, and small corrections of pairs of shapes, which nobody draws",
                    Group::held_out, parts);
   add_arkit(face);
   const Means nothing;

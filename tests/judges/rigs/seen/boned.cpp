@@ -5,7 +5,7 @@ namespace penpose::judges {
 
 Rig make_jaw_bone() {
   const Parts& parts = head_parts();
-  FaceBuilder face("jaw_bone", "joints of neck, jaw and eyes beside shapes", Group::seen, parts);
+  FaceBuilder face("jaw_bone", "joints of neck, jaw and eyes, and shapes", Group::seen, parts);
   add_head_bones(face, parts);
   add_brows(face);
   add_lids(face);

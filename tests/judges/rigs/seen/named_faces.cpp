@@ -41,7 +41,7 @@ Rig make_arkit() {
 }
 
 Rig make_visemes() {
-  FaceBuilder face("visemes", "mouths of speech beside a few shapes of the face", Group::seen, head_parts());
+  FaceBuilder face("visemes", "mouths of speech, and a few shapes of the face", Group::seen, head_parts());
   add_visemes(face, "viseme_");
   add_brows(face);
   face.sides("eyeBlink", {{"blink_", 1}});

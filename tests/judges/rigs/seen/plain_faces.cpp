@@ -13,7 +13,7 @@ Rig make_split() {
 
 Rig make_summed() {
   const Parts parts = reshaped(head_parts(), broad_person);
-  FaceBuilder face("summed", "both sides in one shape, and sums of them beside their parts", Group::seen, parts);
+  FaceBuilder face("summed", "both sides in one shape, sums of them, and their parts", Group::seen, parts);
   face.shape("smile", {{"smile_L", 1}, {"smile_R", 1}, {"cheek_L", 0.6}, {"cheek_R", 0.6}},
              Means{"smile_L", "smile_R"});
   face.shape("corners_up", {{"smile_L", 0.9}, {"smile_R", 0.9}});
@@ -46,7 +46,7 @@ Rig make_summed() {
 
 Rig make_one_sided() {
   const Parts parts = reshaped(head_parts(), broad_person);
-  FaceBuilder face("one_sided", "shapes of one side without their partner, beside shapes of both", Group::seen, parts);
+  FaceBuilder face("one_sided", "shapes of one side without a partner, and shapes of both", Group::seen, parts);
   face.shape("smile", {{"smile_L", 1}, {"smile_R", 1}});
   face.shape("smile_left", {{"smile_L", 1}});
   face.shape("frown_left", {{"frown_L", 1}});
@@ -67,7 +67,7 @@ Rig make_one_sided() {
 }
 
 Rig make_weak() {
-  FaceBuilder face("weak", "shapes that move little at their most, beside ordinary ones", Group::seen, head_parts());
+  FaceBuilder face("weak", "shapes that move little at their most, and ordinary ones", Group::seen, head_parts());
   face.sides("browUp", {{"brow_inner_up_", 0.3}, {"brow_outer_up_", 0.3}});
   face.sides("browDown", {{"brow_down_", 0.3}});
   add_lids(face);
