@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/judges/rigs/control_words.h"
 #include "tests/judges/shared/shared_sets.h"
 #include "tests/support/parallel.h"
 
@@ -11,8 +12,9 @@ namespace {
 
 using Job = std::function<std::vector<Judged>()>;
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+/// No names mean all.
+bool asks_for(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || has(names, name);
 }
 
 Job of_own(const RigMaker& maker, const std::vector<Measure>& measures, Extent extent) {
@@ -20,7 +22,8 @@ Job of_own(const RigMaker& maker, const std::vector<Measure>& measures, Extent e
     const Rig rig = maker.make();
     std::vector<Judged> all;
     for (const Measure& measure : measures) {
-      if (measure.applies(rig)) all.push_back({measure.name, rig.name, group_name(rig.group), measure.judge(rig, extent)});
+      if (measure.applies(rig))
+        all.push_back({measure.name, rig.name, group_name(rig.group), measure.judge(rig, extent)});
     }
     return all;
   };
@@ -31,7 +34,8 @@ Job of_shared(const SharedSet& set, const std::vector<std::string>& names, const
   return [set, names, &measures, extent] {
     std::vector<Judged> all;
     if (!names.empty()) all = set.run(names);
-    const bool own = std::any_of(measures.begin(), measures.end(), [](const Measure& m) { return !needs_cases(m.name); });
+    const bool own =
+        std::any_of(measures.begin(), measures.end(), [](const Measure& m) { return !needs_cases(m.name); });
     if (!own || !set.rig_of) return all;
     const Rig rig = set.rig_of();
     for (const Measure& measure : measures) {
@@ -45,15 +49,15 @@ Job of_shared(const SharedSet& set, const std::vector<std::string>& names, const
 std::vector<Job> jobs_of(const Wanted& wanted, const std::vector<Measure>& measures) {
   std::vector<Job> jobs;
   for (const RigMaker& maker : own_rigs()) {
-    if (has(wanted.rigs, maker.name)) jobs.push_back(of_own(maker, measures, wanted.extent));
+    if (asks_for(wanted.rigs, maker.name)) jobs.push_back(of_own(maker, measures, wanted.extent));
   }
   if (!wanted.shared) return jobs;
   for (const SharedSet& set : shared_sets()) {
     std::vector<std::string> names;
     for (const std::string& name : set.measures) {
-      if (has(wanted.measures, name)) names.push_back(name);
+      if (asks_for(wanted.measures, name)) names.push_back(name);
     }
-    if (has(wanted.rigs, set.rig)) jobs.push_back(of_shared(set, names, measures, wanted.extent));
+    if (asks_for(wanted.rigs, set.rig)) jobs.push_back(of_shared(set, names, measures, wanted.extent));
   }
   return jobs;
 }
@@ -63,7 +67,7 @@ std::vector<Job> jobs_of(const Wanted& wanted, const std::vector<Measure>& measu
 std::vector<Judged> judge_all(const Wanted& wanted) {
   std::vector<Measure> measures;
   for (const Measure& measure : all_measures()) {
-    if (has(wanted.measures, measure.name)) measures.push_back(measure);
+    if (asks_for(wanted.measures, measure.name)) measures.push_back(measure);
   }
   const std::vector<Job> jobs = jobs_of(wanted, measures);
   // Rigs next to each other are of a kind and take alike; every second one makes two pieces of the same work.

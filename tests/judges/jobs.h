@@ -7,7 +7,7 @@
 
 namespace penpose::judges {
 
-/// What is to be judged.
+/// Selects measures and rigs.
 struct Wanted {
   Extent extent = Extent::whole;
   std::vector<std::string> measures, rigs;  ///< empty: all

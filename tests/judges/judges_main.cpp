@@ -1,5 +1,5 @@
-// Judges how well the program reads what was drawn, on rigs that are made by code and, where they are, on the shared ones.
-// Prints a table and writes it as JSON. docs/developing.md says how it is used.
+// Judges how well the program reads what was drawn, on rigs that are made by code and, where they are, on the shared
+// ones. Prints a table and writes it as JSON. docs/developing.md says how it is used.
 
 #include <algorithm>
 #include <cstdio>
@@ -31,12 +31,14 @@ constexpr const char* k_usage =
     "  --details FOLDER  writes every case into FOLDER/seen, FOLDER/held_out and FOLDER/shared\n"
     "  --about NAME=TEXT a fact that the table is to hold, such as commit=... or machine=...\n"
     "  --bounds FILE     fails where a figure is worse than its bound\n"
-    "  --tighten FILE    writes better figures into the bounds; looser they never become\n";
+    "  --tighten FILE    writes better figures into the bounds and never a worse one\n"
+    "  --list            says which rigs and measures there are\n";
 
 struct Arguments {
   Wanted wanted;
   std::string json, details, bounds;
   bool tighten = false;
+  bool list = false;
   std::vector<std::pair<std::string, std::string>> about;
 };
 
@@ -46,6 +48,10 @@ bool parse(int count, char** words, Arguments& arguments) {
     if (word == "--short" || word == "--own") {
       arguments.wanted.shared = false;
       if (word == "--short") arguments.wanted.extent = Extent::brief;
+      continue;
+    }
+    if (word == "--list") {
+      arguments.list = true;
       continue;
     }
     if (i + 1 == count) return false;
@@ -122,7 +128,21 @@ bool bounded(const Arguments& arguments, const std::vector<Row>& rows) {
   return lines.empty();
 }
 
+int list() {
+  for (const Measure& measure : all_measures()) std::cout << "measure " << measure.name << '\n';
+  for (const RigMaker& maker : own_rigs())
+    std::cout << maker.name << " (" << group_name(maker.group) << "): " << maker.make().kind << '\n';
+  return 0;
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.list) return list();
+  const Wanted& wanted = arguments.wanted;
+  if (!arguments.bounds.empty() &&
+      (wanted.extent != Extent::brief || !wanted.measures.empty() || !wanted.rigs.empty())) {
+    std::cerr << arguments.bounds << ": bounds are those of all of --short; leave out --only and --rig, add --short\n";
+    return 2;
+  }
   const auto judged = judge_all(arguments.wanted);
   if (judged.empty()) {
     std::cerr << "no rig and no measure of these names; leave out --rig and --only to see all\n";

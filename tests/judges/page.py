@@ -11,6 +11,7 @@ import os
 import sys
 
 GROUPS = {"seen": "seen", "held_out": "held out", "shared": "shared"}
+OF_RIGS = ("intent", "gesture", "meant", "drawing_exact", "drawn_faces")     # what the page says of each rig
 MEASURES = [
     ("intent", "faces of known poses by several hands: error of the whole face, of its movement"),
     ("gesture", "lines that no pose meets: *right* if what an artist means moves and little else"),
@@ -63,7 +64,7 @@ def judged(table):
     yield "## How it reads what was drawn"
     yield ""
     yield f"Edition {table['edition']}, commit {table.get('commit', 'unknown')}, {table.get('machine', 'a machine')}; `tests/judges/run`."
-    yield "Rigs are made by code; nobody chose anything by looking at those *held out*, so only their totals are shown. *Shared*: real models."
+    yield "Code makes the rigs; nobody chose anything by looking at those *held out*, so only their totals are shown. *Shared*: real models."
     yield ""
     for name, text in MEASURES:
         if name in measures:
@@ -80,9 +81,10 @@ def judged(table):
         cells.append([r["measure"], GROUPS[r["group"]], str(r["cases"]), right(r), error(r), stray, still, number(r["ms_median"])])
     yield from lines_of(["measure", "rigs", "cases", "right", "error", "stray", "still", "ms"], cells)
     yield ""
+    measures = [m for m in measures if m in OF_RIGS]
     rigs = []
     for r in rows:
-        if r["rig"] != "all" and r["group"] != "held_out" and r["rig"] not in rigs:
+        if r["rig"] != "all" and r["group"] != "held_out" and r["measure"] in measures and r["rig"] not in rigs:
             rigs.append(r["rig"])
     cells = []
     for rig in rigs:
@@ -105,8 +107,8 @@ def page(folder):
     parts = [read(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if name.endswith(".json") and name != "table.json"]
     parts.sort(key=lambda part: part["order"])
     out = ["# Measurements", "",
-           "Made by `tests/judges/page.py` of the figures in `tests/judges/measured`. A figure holds for the edition that it was taken with (0:",
-           "before there were any). Where no machine is named, it was one core of a shared 2-core AMD EPYC.", ""]
+           "`tests/judges/page.py` makes this page from `tests/judges/measured`. A figure was measured with the edition that its row names (0:",
+           "before there were any), on one core of a shared 2-core AMD EPYC if no machine is named.", ""]
     out += judged(read(os.path.join(folder, "table.json")))
     for part in parts:
         out += [""] + list(section(part))

@@ -87,7 +87,9 @@ void add_mouths(std::vector<GestureKind>& all) {
   all.push_back({"smirk_L_18", lips(one_corner(18, 1)), {{"smile_L"}}, {"dimple_L", "cheek_L", "stretch_L"}});
   all.push_back({"smirk_R_18", lips(one_corner(18, -1)), {{"smile_R"}}, {"dimple_R", "cheek_R", "stretch_R"}});
   all.push_back({"aside_L_14",
-                 lips([](PxPoint p, double, double, double) { return p + PxPoint{14, 0}; }),
+                 lips([](PxPoint p, double, double, double) {
+                   return p + PxPoint{14, 0};
+                 }),
                  {{"mouth_L"}},
                  {"jaw_L"}});
 }

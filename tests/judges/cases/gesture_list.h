@@ -11,8 +11,8 @@ namespace penpose::judges {
 
 /// A kind of gesture: how lines are bent in the picture, and which muscles (parts.h) an artist means by it.
 struct GestureKind {
-  /// Where a point of a line goes. `s`: 0 to 1 along the line; `t`: -1 to 1 across the mouth; `half`: half of the mouth's
-  /// width, px.
+  /// Where a point of a line goes. `s`: 0 to 1 along the line; `t`: -1 to 1 across the mouth; `half`: half of the
+  /// mouth's width, px.
   using Bend = std::function<geometry::PxPoint(geometry::PxPoint p, double s, double t, double half)>;
   struct Line {
     std::string name;

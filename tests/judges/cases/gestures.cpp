@@ -6,13 +6,10 @@
 #include "tests/judges/cases/gesture_list.h"
 #include "tests/judges/cases/picture.h"
 #include "tests/judges/hands/hand.h"
+#include "tests/judges/rigs/control_words.h"
 
 namespace penpose::judges {
 namespace {
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// Muscles that are meant, as controls of the rig that do nothing beyond what is needed and accepted.
 struct Meant {
@@ -28,8 +25,8 @@ Meant meant_on(const Rig& rig, const GestureKind& kind) {
   for (const Meaning& meaning : rig.meanings) {
     // What a joint does depends on which way it turns, so that one word that is meant is enough.
     const bool turns = rig::find_parameter(rig.model.rig->parameters(), meaning.control + ".rx").has_value();
-    const bool fits = !meaning.means.empty() &&
-                      (turns || std::all_of(meaning.means.begin(), meaning.means.end(), [&](const auto& m) { return has(allowed, m); }));
+    const bool fits = !meaning.means.empty() && (turns || std::all_of(meaning.means.begin(), meaning.means.end(),
+                                                                      [&](const auto& m) { return has(allowed, m); }));
     if (!fits) continue;
     bool needed = false;
     for (std::size_t g = 0; g < kind.needed.size(); ++g) {
@@ -38,8 +35,8 @@ Meant meant_on(const Rig& rig, const GestureKind& kind) {
       if (in) meant.needed[g].push_back(meaning.control);
       needed = needed || in;
     }
-    const bool helps = std::any_of(meaning.means.begin(), meaning.means.end(),
-                                   [&](const auto& m) { return has(kind.accepted, m); });
+    const bool helps =
+        std::any_of(meaning.means.begin(), meaning.means.end(), [&](const auto& m) { return has(kind.accepted, m); });
     if (!needed && helps) meant.accepted.push_back(meaning.control);
   }
   return meant;

@@ -17,8 +17,8 @@ struct Gesture {
   bool still_is_right = false;                   ///< nothing of the rig does what was drawn
 };
 
-/// Smiles, frowns, mouths opened, narrowed, widened and aside, smirks, brows, winks and blinks, of those that the rig has
-/// controls for. Precondition: the rig has lines.
+/// Smiles, frowns, mouths opened, narrowed, widened and aside, smirks, brows, winks and blinks, of those that the rig
+/// has controls for. Precondition: the rig has lines.
 [[nodiscard]] std::vector<Gesture> gestures(const Rig& rig, Extent extent);
 
 }  // namespace penpose::judges

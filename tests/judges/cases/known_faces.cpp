@@ -74,7 +74,8 @@ struct Artist {
     face.truth = truth;
     for (const std::string& called : lines) {
       const FaceLine& line = *rig.line(called);
-      const auto drawn = drawn_by(hand, picture.flat(places, line.vertices), seed_of(rig.name, face.asked.name + called));
+      const auto drawn =
+          drawn_by(hand, picture.flat(places, line.vertices), seed_of(rig.name, face.asked.name + called));
       face.asked.references.push_back({called, line.vertices, picture.in_space(drawn, places, line.vertices), {}});
     }
     return face;

@@ -31,7 +31,8 @@ double bell(tests::Random& random) {
 
 std::vector<double> lengths_along(std::span<const PxPoint> line) {
   std::vector<double> along{0};
-  for (std::size_t i = 1; i < line.size(); ++i) along.push_back(along.back() + geometry::distance(line[i - 1], line[i]));
+  for (std::size_t i = 1; i < line.size(); ++i)
+    along.push_back(along.back() + geometry::distance(line[i - 1], line[i]));
   return along;
 }
 
@@ -96,8 +97,7 @@ std::vector<PxPoint> drawn_by(const Hand& hand, std::span<const PxPoint> meant, 
   for (std::size_t i = 0; i < points; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(points - 1);
     // Its derivative, the speed, is 1 + uneven cos(2 pi t + phase).
-    const double late = hand.uneven / (2 * base::k_pi) *
-                        (base::sin(2 * base::k_pi * t + phase) - base::sin(phase));
+    const double late = hand.uneven / (2 * base::k_pi) * (base::sin(2 * base::k_pi * t + phase) - base::sin(phase));
     const PxPoint p = at_length(meant, along, first + (last - first) * (t + late));
     line.push_back(middle + (p - middle) * scale);
   }

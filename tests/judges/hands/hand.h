@@ -9,7 +9,8 @@
 
 namespace penpose::judges {
 
-/// How a line is drawn that someone has in mind. Lengths are px of a picture in which the diagonal of the face is 800 px.
+/// How a line is drawn that someone has in mind. Lengths are px of a picture in which the diagonal of the face is 800
+/// px.
 struct Hand {
   const char* name;
   double tremor_px = 0;     ///< root mean square, smooth over about a tenth of the line

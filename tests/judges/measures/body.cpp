@@ -1,8 +1,7 @@
-#include "tests/judges/measures/body_judge.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "tests/judges/measures/body_judge.h"
 #include "tests/judges/measures/judged_sets.h"
 #include "tests/judges/measures/measure.h"
 
@@ -26,12 +25,10 @@ void judge_body(const WholeFace& figure, const rig::Pose& truth, const rig::Pose
 }
 
 std::vector<Outcome> judge_limbs(const document::Model& model, const std::vector<Limb>& cases) {
-  const io::CaseFile file = file_of(cases);
-  const WholeFace figure(model, file);
-  Solver solver(model, file);
-  return each_case(
-      model, cases, [&](const Limb& one) { return solver.meant(one.asked, io::TargetForm::drawn); },
-      [&](const Limb& one, const rig::Pose& pose, Outcome& outcome) { judge_body(figure, one.truth, pose, outcome); });
+  CaseSet set(model, cases);
+  return set.outcomes(Ask::drawn, [&](const Limb& one, const rig::Pose& pose, Outcome& outcome) {
+    judge_body(set.whole(), one.truth, pose, outcome);
+  });
 }
 
 Measure body_measure() {

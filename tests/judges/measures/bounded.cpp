@@ -5,8 +5,8 @@
 
 namespace penpose::judges {
 
-std::vector<double> bounded_least_squares(const std::vector<std::vector<double>>& columns,
-                                          const std::vector<double>& b, double damp) {
+std::vector<double> bounded_least_squares(const std::vector<std::vector<double>>& columns, const std::vector<double>& b,
+                                          double damp) {
   constexpr int k_most_rounds = 20000;
   constexpr double k_still = 1e-10;
   std::vector<double> x(columns.size(), 0);

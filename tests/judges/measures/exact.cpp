@@ -52,8 +52,8 @@ std::vector<std::vector<ModelVector>> columns_of(const document::Model& model, c
   return columns;
 }
 
-/// The same with targets that no pose meets: each line is off as a whole, and each of its points a little more. The least
-/// energy is found by a method of its own.
+/// The same with targets that no pose meets: each line is off as a whole, and each of its points a little more. The
+/// least energy is found by a method of its own.
 std::vector<KnownFace> missed_faces(const Rig& rig, const std::vector<KnownFace>& exact) {
   std::vector<KnownFace> faces;
   const auto rest = posed(rig.model, rig::rest_pose(*rig.model.rig));
@@ -95,31 +95,26 @@ bool is_face(const Rig& rig) { return !rig.lines.empty(); }
 }  // namespace
 
 std::vector<Outcome> judge_exact(const document::Model& model, const std::vector<KnownFace>& cases) {
-  const io::CaseFile file = file_of(cases);
-  const WholeFace face(model, file);
-  Solver solver(model, file);
-  return each_case(
-      model, cases, [&](const KnownFace& one) { return solver.exact(one.asked); },
-      [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
-        const std::vector<ModelVector> still(face.rest().size(), ModelVector{0});
-        const double rest = one.asked.rest_energy.value_or(energy_of(face, one.asked, still));
-        const double least = one.asked.optimum_energy.value_or(0);
-        outcome.error = 100 * (energy_of(face, one.asked, face.moved(pose)) - least) / (rest - least);
-        face.count_controls(pose, outcome);
-      });
+  CaseSet set(model, cases);
+  const WholeFace& face = set.whole();
+  const std::vector<ModelVector> still(face.rest().size(), ModelVector{0});
+  return set.outcomes(Ask::exact, [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
+    const double rest = one.asked.rest_energy.value_or(energy_of(face, one.asked, still));
+    const double least = one.asked.optimum_energy.value_or(0);
+    const double gap = (energy_of(face, one.asked, face.moved(pose)) - least) / (rest - least);
+    // The reference may end a little above the least itself.
+    outcome.error = 100 * std::max(gap, 0.0);
+    face.count_controls(pose, outcome);
+  });
 }
 
 std::vector<Outcome> judge_meant(const document::Model& model, const std::vector<KnownFace>& cases) {
-  const io::CaseFile file = file_of(cases);
-  const WholeFace face(model, file);
-  Solver solver(model, file);
-  return each_case(
-      model, cases, [&](const KnownFace& one) { return solver.meant(one.asked, io::TargetForm::points); },
-      [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
-        face.judge(face.moved(one.truth), face.moved(pose), outcome);
-        face.count_controls(pose, outcome);
-        outcome.true_controls = one.true_controls;
-      });
+  CaseSet set(model, cases);
+  return set.outcomes(Ask::points, [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
+    set.whole().judge(set.whole().moved(one.truth), set.whole().moved(pose), outcome);
+    set.whole().count_controls(pose, outcome);
+    outcome.true_controls = one.true_controls;
+  });
 }
 
 Measure exact_measure() {

@@ -5,13 +5,11 @@
 namespace penpose::judges {
 
 std::vector<Outcome> judge_gestures(const document::Model& model, const std::vector<Gesture>& cases) {
-  const io::CaseFile file = file_of(cases);
-  const WholeFace face(model, file);
-  Solver solver(model, file);
-  GestureJudge gesture_judge(face);
-  return each_case(
-      model, cases, [&](const Gesture& one) { return solver.meant(one.asked, io::TargetForm::drawn); },
-      [&](const Gesture& one, const rig::Pose& pose, Outcome& outcome) { gesture_judge.judge(one, pose, outcome); });
+  CaseSet set(model, cases);
+  GestureJudge gesture_judge(set.whole());
+  return set.outcomes(Ask::drawn, [&](const Gesture& one, const rig::Pose& pose, Outcome& outcome) {
+    gesture_judge.judge(one, pose, outcome);
+  });
 }
 
 Measure gesture_measure() {

@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "tests/judges/cases/picture.h"
 #include "tests/judges/measures/bounded.h"
+#include "tests/judges/rigs/control_words.h"
 
 namespace penpose::judges {
 namespace {
@@ -16,12 +17,6 @@ constexpr double k_still = 0.2;
 /// Radians by which a joint is turned to see what it does.
 constexpr double k_small_turn = 0.1;
 
-bool is_angle(const std::string& name) {
-  const std::size_t size = name.size();
-  return size > 3 && name[size - 3] == '.' && name[size - 2] == 'r' && name[size - 1] >= 'x' && name[size - 1] <= 'z';
-}
-std::string control_of(const std::string& name) { return is_angle(name) ? name.substr(0, name.size() - 3) : name; }
-
 double dot(const std::vector<ModelVector>& a, const std::vector<ModelVector>& b) {
   double sum = 0;
   for (std::size_t v = 0; v < a.size(); ++v) sum += a[v].x * b[v].x + a[v].y * b[v].y + a[v].z * b[v].z;
@@ -29,13 +24,10 @@ double dot(const std::vector<ModelVector>& a, const std::vector<ModelVector>& b)
 }
 double norm(const std::vector<ModelVector>& a) { return std::sqrt(dot(a, a)); }
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::vector<double> shares_along(const std::vector<PxPoint>& line) {
   std::vector<double> along{0};
-  for (std::size_t i = 1; i < line.size(); ++i) along.push_back(along.back() + geometry::distance(line[i - 1], line[i]));
+  for (std::size_t i = 1; i < line.size(); ++i)
+    along.push_back(along.back() + geometry::distance(line[i - 1], line[i]));
   for (double& a : along) a /= along.back();
   return along;
 }

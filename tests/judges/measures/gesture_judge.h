@@ -11,9 +11,9 @@ namespace penpose::judges {
 
 /// Says whether a gesture was read as an artist means it:
 ///   right    something of each needed group moves by a tenth of what moves most, the needed is at least half of all
-///            movement, all else than needed and accepted at most 0.2 of it, and no other joint turns by more than half a
-///            degree; or the whole face is within 45 % of what bounded least squares with the needed and accepted shapes
-///            make of the lines
+///            movement, all else than needed and accepted at most 0.2 of it, and no other joint turns by more than half
+///            a degree; or the whole face is within 45 % of what bounded least squares with the needed and accepted
+///            shapes make of the lines
 ///   nothing  the drawn curves go less than 0.15 of the way that they were drawn; right where no control does what was
 ///            drawn and no vertex moves by more than 0.2 % of the size
 ///   stray    the largest movement of a vertex that no needed or accepted control moves and no line is drawn along

@@ -4,18 +4,14 @@
 namespace penpose::judges {
 
 std::vector<Outcome> judge_known_faces(const document::Model& model, const std::vector<KnownFace>& cases) {
-  const io::CaseFile file = file_of(cases);
-  const WholeFace face(model, file);
-  Solver solver(model, file);
-  return each_case(
-      model, cases, [&](const KnownFace& one) { return solver.meant(one.asked, io::TargetForm::drawn); },
-      [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
-        const auto found = face.moved(pose);
-        face.judge(face.moved(one.truth), found, outcome);
-        face.count_controls(pose, outcome);
-        outcome.true_controls = one.true_controls;
-        outcome.left = face.left(one.asked, found);
-      });
+  CaseSet set(model, cases);
+  return set.outcomes(Ask::drawn, [&](const KnownFace& one, const rig::Pose& pose, Outcome& outcome) {
+    const auto found = set.whole().moved(pose);
+    set.whole().judge(set.whole().moved(one.truth), found, outcome);
+    set.whole().count_controls(pose, outcome);
+    outcome.true_controls = one.true_controls;
+    outcome.left = set.whole().left(one.asked, found);
+  });
 }
 
 Measure intent_measure() {

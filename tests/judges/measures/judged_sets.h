@@ -5,7 +5,7 @@
 #include "tests/judges/cases/gestures.h"
 #include "tests/judges/cases/known_faces.h"
 #include "tests/judges/cases/limbs.h"
-#include "tests/judges/measures/each_case.h"
+#include "tests/judges/measures/case_set.h"
 
 namespace penpose::judges {
 

@@ -99,9 +99,8 @@ TEST(JudgesGesture, OtherControlsOneSideAndNothingAreNotRight) {
 
 TEST(JudgesGesture, ADoubleIsAsGoodAsTheOriginal) {
   SmileOn doubles("doubles");
-  for (std::vector<std::string>& group : doubles.smile.needed) std::erase_if(group, [](const std::string& name) {
-    return name.starts_with("old_");
-  });
+  for (std::vector<std::string>& group : doubles.smile.needed)
+    std::erase_if(group, [](const std::string& name) { return name.starts_with("old_"); });
   EXPECT_EQ(doubles.with({{"old_smile_l", 0.6}, {"old_smile_r", 0.6}}).right, 1);
 }
 

@@ -79,8 +79,8 @@ void WholeFace::count_controls(const rig::Pose& pose, Outcome& outcome) const {
   for (std::size_t i = 0; i < pose.size(); ++i) {
     if (std::abs(pose[i] - at_rest_[i]) <= k_counts) continue;
     ++count;
-    outcome.note += (outcome.note.empty() ? "" : " ") + model_.rig->parameters()[i].name + "=" +
-                    base::format_fixed(pose[i], 2);
+    outcome.note +=
+        (outcome.note.empty() ? "" : " ") + model_.rig->parameters()[i].name + "=" + base::format_fixed(pose[i], 2);
   }
   outcome.controls = count;
 }

@@ -5,8 +5,8 @@
 
 namespace penpose::judges {
 
-/// A skeleton as heads of avatars have: root, neck, head, jaw and a joint for each eye (if there are balls). Returns the
-/// number of the head's.
+/// A skeleton as heads of avatars have: root, neck, head, jaw and a joint for each eye (if there are balls). Returns
+/// the number of the head's.
 std::size_t add_head_bones(FaceBuilder& face, const Parts& parts);
 
 /// A figure of tubes as a rig. Joints are called j0, j1, ... as StickFigure numbers them.

@@ -5,15 +5,12 @@
 
 #include "core/geometry/rotation.h"
 #include "core/rig/character_rig.h"
+#include "tests/judges/rigs/control_words.h"
 #include "tests/judges/rigs/expressions.h"
 #include "tests/judges/rigs/sculpt.h"
 
 namespace penpose::judges {
 namespace {
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 rig::BlendShape baked(std::string name, const Field& field) {
   double most = 0;
@@ -27,12 +24,6 @@ rig::BlendShape baked(std::string name, const Field& field) {
     shape.deltas.emplace_back(field[v]);
   }
   return shape;
-}
-
-/// "jaw" of "jaw.rx".
-std::string without_angle(const std::string& parameter) {
-  const std::size_t dot = parameter.rfind(".r");
-  return dot != std::string::npos && dot + 3 == parameter.size() ? parameter.substr(0, dot) : parameter;
 }
 
 }  // namespace
@@ -137,7 +128,7 @@ void FaceBuilder::add_expressions() {
 Rig FaceBuilder::build() {
   add_expressions();
   for (const Act& act : acts_) {
-    const std::string control = without_angle(act.parameter);
+    const std::string control = control_of(act.parameter);
     const auto known = std::find_if(rig_.meanings.begin(), rig_.meanings.end(),
                                     [&](const Meaning& m) { return m.control == control; });
     if (known == rig_.meanings.end()) {

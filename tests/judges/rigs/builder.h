@@ -38,7 +38,7 @@ class FaceBuilder {
   /// That an angle of a joint ("jaw.rx", 0.3) does what muscles do at their most.
   void turn_means(std::string parameter, double at_most, Means muscles);
 
-  /// One of the known poses beside the ordinary ones, in values of controls.
+  /// Adds a known pose, in values of controls.
   void pose(std::string name, std::vector<std::pair<std::string, double>> values);
 
   /// Known poses are the ordinary expressions of which the rig has every muscle (expressions.h), and those added.

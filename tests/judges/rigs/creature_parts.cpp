@@ -129,7 +129,8 @@ void add_side(Parts& parts, bool left) {
   std::vector<double> above;
   for (const double share : parts.jaw_share) above.push_back(1 - share);
   const auto upper = around(parts.rest(), parts.rest()[lip[lip.size() / 2]], {0.3, 0.16, 0.4});
-  parts.fields["upper_up" + side] = pushed(product(product(upper, above), side_share(parts.rest(), left, 0.15)), {0, 0.1, 0.03});
+  parts.fields["upper_up" + side] =
+      pushed(product(product(upper, above), side_share(parts.rest(), left, 0.15)), {0, 0.1, 0.03});
 }
 
 }  // namespace
@@ -178,8 +179,7 @@ Parts creature_parts(std::uint32_t columns, std::uint32_t rows) {
   parts.fields["jaw_open"] = turned(parts.rest(), parts.jaw_share, {0, -0.2, 0.1}, {1, 0, 0}, 20);
   const auto near = around(parts.rest(), {0, line, 0.9}, {0.5, 0.3, 0.6});
   Field pucker(near.size());
-  for (std::size_t v = 0; v < near.size(); ++v)
-    pucker[v] = ModelVector{-0.4 * parts.rest()[v].x, 0, 0.1} * near[v];
+  for (std::size_t v = 0; v < near.size(); ++v) pucker[v] = ModelVector{-0.4 * parts.rest()[v].x, 0, 0.1} * near[v];
   parts.fields["pucker"] = std::move(pucker);
   for (const bool left : {true, false}) {
     add_eye(parts, grid, left ? eye_L : eye_R, left ? "_L" : "_R");

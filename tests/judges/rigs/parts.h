@@ -15,9 +15,10 @@ namespace penpose::judges {
 /// A displacement of each vertex.
 using Field = std::vector<geometry::ModelVector>;
 
-/// A head at rest and what muscles do to it, each at its most. Rigs are made of sums of these. Words, with _L or _R for a
-/// side (+x is _L):
-///   mouth   smile_, frown_, stretch_, dimple_, press_, upper_up_, lower_down_, cheek_, puff_, pucker, funnel, roll_upper,
+/// A head at rest and what muscles do to it, each at its most. Rigs are made of sums of these. Words, with _L or _R for
+/// a side (+x is _L):
+///   mouth   smile_, frown_, stretch_, dimple_, press_, upper_up_, lower_down_, cheek_, puff_, pucker, funnel,
+///   roll_upper,
 ///           roll_lower, shrug_upper, shrug_lower, mouth_L, mouth_R (all of it aside)
 ///   jaw     jaw_open, jaw_L, jaw_R, jaw_forward, lips_close (of an open jaw)
 ///   brows   brow_inner_up_, brow_outer_up_, brow_down_        nose  sneer_

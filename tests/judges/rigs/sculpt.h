@@ -4,7 +4,6 @@
 
 namespace penpose::judges {
 
-
 /// One at `center`, smooth, next to nothing beyond twice `radii`.
 [[nodiscard]] std::vector<double> around(std::span<const ModelPoint> places, const ModelPoint& center,
                                          const ModelVector& radii);
@@ -23,8 +22,8 @@ void add_to(Field& field, double amount, const Field& other);
 /// The shares of the +x (`left`) or -x side, which meet softly over `width`.
 [[nodiscard]] std::vector<double> side_share(std::span<const ModelPoint> places, bool left, double width);
 
-/// Adds stretch_, dimple_, press_, lower_down_, puff_, funnel, roll_, shrug_, mouth_, jaw_ and lips_close from the lines of
-/// the mouth, pucker, upper_up_ and jaw_open.
+/// Adds stretch_, dimple_, press_, lower_down_, puff_, funnel, roll_, shrug_, mouth_, jaw_ and lips_close from the
+/// lines of the mouth, pucker, upper_up_ and jaw_open.
 void add_mouth_fields(Parts& parts);
 
 }  // namespace penpose::judges

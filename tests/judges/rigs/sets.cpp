@@ -74,7 +74,8 @@ void add_arkit(FaceBuilder& face) {
 void add_visemes(FaceBuilder& face, const std::string& before) {
   const Means nothing;
   face.shape(before + "aa", {{"jaw_open", 0.8}, {"lower_down_L", 0.2}, {"lower_down_R", 0.2}});
-  face.shape(before + "E", {{"stretch_L", 0.6}, {"stretch_R", 0.6}, {"jaw_open", 0.25}}, Means{"stretch_L", "stretch_R"});
+  face.shape(before + "E", {{"stretch_L", 0.6}, {"stretch_R", 0.6}, {"jaw_open", 0.25}},
+             Means{"stretch_L", "stretch_R"});
   face.shape(before + "ih", {{"stretch_L", 0.4}, {"stretch_R", 0.4}, {"jaw_open", 0.15}}, nothing);
   face.shape(before + "oh", {{"funnel", 0.7}, {"jaw_open", 0.35}}, Means{"funnel"});
   face.shape(before + "ou", {{"pucker", 0.85}, {"jaw_open", 0.12}}, Means{"pucker"});

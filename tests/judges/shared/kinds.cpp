@@ -5,6 +5,7 @@
 
 #include "core/base/math.h"
 #include "tests/judges/cases/picture.h"
+#include "tests/judges/rigs/control_words.h"
 
 namespace penpose::judges {
 namespace {
@@ -52,9 +53,9 @@ Sum both(const Sum& sum) {
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = [] {
-    const Names base{"browDown_L",  "browDown_R",  "browInnerUp_L", "browInnerUp_R", "browOuterUp_L",
-                     "browOuterUp_R", "eyeBlink_L", "eyeBlink_R",   "eyeWide_L",     "eyeWide_R",
-                     "jawOpen",     "mouthSmile_L", "mouthSmile_R", "mouthFrown_L",  "mouthFrown_R"};
+    const Names base{"browDown_L",    "browDown_R",   "browInnerUp_L", "browInnerUp_R", "browOuterUp_L",
+                     "browOuterUp_R", "eyeBlink_L",   "eyeBlink_R",    "eyeWide_L",     "eyeWide_R",
+                     "jawOpen",       "mouthSmile_L", "mouthSmile_R",  "mouthFrown_L",  "mouthFrown_R"};
     const Names wide = joined(base, {"mouthStretch_L", "mouthStretch_R", "mouthPucker"});
     const Names smiles{"smile_08", "smile_15", "smile_22", "smile_30", "smile_line_20"};
     const Names both_corners{"mouthSmile_L", "mouthSmile_R"};
@@ -69,7 +70,8 @@ const std::vector<Recipe>& recipes() {
         {"open_or_surprise",
          without(base, "jawOpen"),
          {{"open_mouth", {{"jawOpen", 0.9}, {"mouthPucker", 0.35}}},
-          {"emote_surprise", both({{"jawOpen", 0.55}, {"browInnerUp_", 0.7}, {"browOuterUp_", 0.7}, {"eyeWide_", 0.8}})}},
+          {"emote_surprise",
+           both({{"jawOpen", 0.55}, {"browInnerUp_", 0.7}, {"browOuterUp_", 0.7}, {"eyeWide_", 0.8}})}},
          {"open_20", "open_45", "open_line_30"},
          {"open_mouth"},
          {}},
@@ -177,7 +179,7 @@ Kind make_kind(const std::string& name) {
   auto layer = rig::BlendShapes::make(std::move(shapes), model.mesh->vertex_count()).value();
   Kind kind{name, document::with_controls(std::move(model), std::move(layer), nullptr).value(), {}};
   for (const io::PoseCase& one : file.cases.cases) {
-    if (std::find(recipe.cases.begin(), recipe.cases.end(), one.name) == recipe.cases.end()) continue;
+    if (!has(recipe.cases, one.name)) continue;
     Gesture gesture;
     gesture.asked = one;
     for (const std::string& pattern : recipe.need) gesture.needed.push_back(controls_like(kind.model, pattern));

@@ -7,8 +7,8 @@
 
 namespace penpose::judges {
 
-/// A face of a kind that fails on other rigs: some shapes of the shared avatar, sums of others and mouths that go up and
-/// down as a whole, with the gestures that such a rig reads otherwise.
+/// A face of a kind that fails on other rigs: some shapes of the shared avatar, sums of others and mouths that go up
+/// and down as a whole, with the gestures that such a rig reads otherwise.
 struct Kind {
   std::string name;
   document::Model model;

@@ -8,6 +8,7 @@
 
 #include "core/document/source_file.h"
 #include "core/io/model/read_model.h"
+#include "tests/judges/rigs/control_words.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::judges {
@@ -24,12 +25,6 @@ Value or_end(base::Result<Value> result, const std::string& name) {
     std::exit(1);
   }
   return std::move(result).value();
-}
-
-std::string without_angle(const std::string& name) {
-  const std::size_t size = name.size();
-  const bool angle = size > 3 && name.compare(size - 3, 2, ".r") == 0 && name[size - 1] >= 'x' && name[size - 1] <= 'z';
-  return angle ? name.substr(0, size - 3) : name;
 }
 
 }  // namespace
@@ -66,7 +61,7 @@ std::vector<std::string> controls_like(const document::Model& model, const std::
   const std::regex expression(pattern);
   std::vector<std::string> found;
   for (const rig::Parameter& p : model.rig->parameters()) {
-    const std::string control = without_angle(p.name);
+    const std::string control = control_of(p.name);
     if (std::regex_match(control, expression) && (found.empty() || found.back() != control)) found.push_back(control);
   }
   return found;

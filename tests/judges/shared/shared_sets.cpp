@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "tests/judges/rigs/control_words.h"
 #include "tests/judges/shared/kinds.h"
 #include "tests/support/shared_data.h"
 
@@ -32,7 +33,7 @@ SharedSet real(const std::string& name, const std::vector<Files>& files) {
     const document::Model model = read_shared_model(name + ".glb");
     std::vector<Judged> all;
     for (const Files& one : files) {
-      if (std::find(measures.begin(), measures.end(), one.measure) == measures.end()) continue;
+      if (!has(measures, one.measure)) continue;
       all.push_back({one.measure, name, "shared", judged(one.measure, model, read_shared_cases(one.cases))});
     }
     return all;
@@ -41,10 +42,13 @@ SharedSet real(const std::string& name, const std::vector<Files>& files) {
 }
 
 SharedSet kind(const std::string& name) {
-  return {name, {"gesture"}, [name](const Names&) {
+  return {name,
+          {"gesture"},
+          [name](const Names&) {
             const Kind made = make_kind(name);
             return std::vector<Judged>{{"gesture", name, "shared", judge_gestures(made.model, made.gestures)}};
-          }, {}};
+          },
+          {}};
 }
 
 /// With the lines of its features, and with poses that its cases know.

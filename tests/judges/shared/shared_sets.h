@@ -20,8 +20,8 @@ struct SharedSet {
 /// Whether a measure of a shared model takes its cases from files alone.
 [[nodiscard]] bool needs_cases(const std::string& measure);
 
-/// The real faces and figures, and faces of the kinds that fail, made from one of them (kinds.h). Empty where the folder
-/// of shared data is not there.
+/// The real faces and figures, and faces of the kinds that fail, made from one of them (kinds.h). Empty where the
+/// folder of shared data is not there.
 [[nodiscard]] std::vector<SharedSet> shared_sets();
 
 }  // namespace penpose::judges

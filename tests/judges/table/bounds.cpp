@@ -38,8 +38,8 @@ std::vector<std::string> broken(const json& bounds, std::span<const Row> rows) {
     const json& bound = bounds.at(name);
     const json figures = row_to_json(row);
     if (bound.value("cases", std::size_t{0}) != row.cases)
-      lines.push_back(name + " has " + std::to_string(row.cases) + " cases, not " + bound.value("cases", json(0)).dump() +
-                      "; remove its bounds where other cases are meant");
+      lines.push_back(name + " has " + std::to_string(row.cases) + " cases, not " +
+                      bound.value("cases", json(0)).dump() + "; remove its bounds where other cases are meant");
     if (bound.contains("right") && row.right < bound.at("right").get<double>() - k_rounding)
       lines.push_back(name + ": right in " + shown(row.right) + ", not in " + shown(bound.at("right")) + " or more");
     for (const char* member : k_at_most) {

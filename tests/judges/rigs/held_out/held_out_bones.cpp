@@ -50,16 +50,18 @@ Rig make_quadruped() {
   leg(0, -0.12, -0.45);
   std::int32_t tail = 0;
   for (int k = 0; k < 4; ++k)
-    tail = static_cast<std::int32_t>(beast.add(tail, {0, 0.84 - 0.03 * k, -0.62 - 0.12 * k}, {0, 0.81 - 0.03 * k, -0.74 - 0.12 * k}, 0.035));
-  return limb_rig("quadruped", "a beast of tubes with four legs, a neck and a tail", Group::held_out, beast,
-                  {{"foreleg_forward", 90, {5, 6, 7}, {{5, {-35, 0, 0}}}},
-                   {"foreleg_bent", 90, {5, 6, 7}, {{5, {-40, 0, 0}}, {6, {50, 0, 0}}}},
-                   {"hindleg_back", 90, {11, 12, 13}, {{11, {30, 0, 0}}}},
-                   {"hindleg_knee", 90, {11, 12, 13}, {{12, {35, 0, 0}}}},
-                   {"other_foreleg", -90, {8, 9, 10}, {{8, {-30, 0, 0}}}},
-                   {"neck_lowered", 90, {3, 4}, {{3, {40, 0, 0}}}},
-                   {"nod", 90, {4}, {{4, {25, 0, 0}}}},
-                   {"tail_up", 90, {17, 18, 19, 20}, {{17, {15, 0, 0}}, {18, {15, 0, 0}}, {19, {15, 0, 0}}, {20, {15, 0, 0}}}}});
+    tail = static_cast<std::int32_t>(
+        beast.add(tail, {0, 0.84 - 0.03 * k, -0.62 - 0.12 * k}, {0, 0.81 - 0.03 * k, -0.74 - 0.12 * k}, 0.035));
+  return limb_rig(
+      "quadruped", "a beast of tubes with four legs, a neck and a tail", Group::held_out, beast,
+      {{"foreleg_forward", 90, {5, 6, 7}, {{5, {-35, 0, 0}}}},
+       {"foreleg_bent", 90, {5, 6, 7}, {{5, {-40, 0, 0}}, {6, {50, 0, 0}}}},
+       {"hindleg_back", 90, {11, 12, 13}, {{11, {30, 0, 0}}}},
+       {"hindleg_knee", 90, {11, 12, 13}, {{12, {35, 0, 0}}}},
+       {"other_foreleg", -90, {8, 9, 10}, {{8, {-30, 0, 0}}}},
+       {"neck_lowered", 90, {3, 4}, {{3, {40, 0, 0}}}},
+       {"nod", 90, {4}, {{4, {25, 0, 0}}}},
+       {"tail_up", 90, {17, 18, 19, 20}, {{17, {15, 0, 0}}, {18, {15, 0, 0}}, {19, {15, 0, 0}}, {20, {15, 0, 0}}}}});
 }
 
 }  // namespace penpose::judges

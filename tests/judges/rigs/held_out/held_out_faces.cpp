@@ -61,8 +61,8 @@ Rig make_doubles() {
 
 Rig make_correctives() {
   const Parts parts = reshaped(head_parts(), other_person);
-  FaceBuilder face("correctives", "small corrections of pairs of shapes beside ARKit's, which nobody draws", Group::held_out,
-                   parts);
+  FaceBuilder face("correctives", "ARKit's names, and small corrections of pairs of shapes, which nobody draws",
+                   Group::held_out, parts);
   add_arkit(face);
   const Means nothing;
   face.sides("fix_jawOpen_mouthSmile", {{"smile_", 0.25}, {"lower_down_", -0.2}, {"dimple_", 0.2}});
@@ -89,12 +89,27 @@ Rig make_expressions() {
   face.shape("Blink", {{"blink_L", 1}, {"blink_R", 1}});
   face.shape("Blink_L", {{"blink_L", 1}});
   face.shape("Blink_R", {{"blink_R", 1}});
-  face.emote("Joy", {{"smile_L", 0.9}, {"smile_R", 0.9}, {"cheek_L", 0.6}, {"cheek_R", 0.6}, {"squint_L", 0.5}, {"squint_R", 0.5}});
+  face.emote(
+      "Joy",
+      {{"smile_L", 0.9}, {"smile_R", 0.9}, {"cheek_L", 0.6}, {"cheek_R", 0.6}, {"squint_L", 0.5}, {"squint_R", 0.5}});
   face.emote("Angry", {{"brow_down_L", 1}, {"brow_down_R", 1}, {"frown_L", 0.6}, {"frown_R", 0.6}});
-  face.emote("Sorrow", {{"brow_inner_up_L", 0.9}, {"brow_inner_up_R", 0.9}, {"frown_L", 0.6}, {"frown_R", 0.6}, {"blink_L", 0.2}, {"blink_R", 0.2}});
-  face.emote("Fun", {{"smile_L", 0.5}, {"smile_R", 0.5}, {"jaw_open", 0.3}, {"brow_outer_up_L", 0.4}, {"brow_outer_up_R", 0.4}});
-  face.emote("Surprised", {{"wide_L", 1}, {"wide_R", 1}, {"brow_inner_up_L", 0.8}, {"brow_inner_up_R", 0.8},
-                           {"brow_outer_up_L", 0.8}, {"brow_outer_up_R", 0.8}, {"funnel", 0.4}, {"jaw_open", 0.3}});
+  face.emote("Sorrow", {{"brow_inner_up_L", 0.9},
+                        {"brow_inner_up_R", 0.9},
+                        {"frown_L", 0.6},
+                        {"frown_R", 0.6},
+                        {"blink_L", 0.2},
+                        {"blink_R", 0.2}});
+  face.emote(
+      "Fun",
+      {{"smile_L", 0.5}, {"smile_R", 0.5}, {"jaw_open", 0.3}, {"brow_outer_up_L", 0.4}, {"brow_outer_up_R", 0.4}});
+  face.emote("Surprised", {{"wide_L", 1},
+                           {"wide_R", 1},
+                           {"brow_inner_up_L", 0.8},
+                           {"brow_inner_up_R", 0.8},
+                           {"brow_outer_up_L", 0.8},
+                           {"brow_outer_up_R", 0.8},
+                           {"funnel", 0.4},
+                           {"jaw_open", 0.3}});
   return face.build();
 }
 

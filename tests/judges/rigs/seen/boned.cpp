@@ -5,7 +5,7 @@ namespace penpose::judges {
 
 Rig make_jaw_bone() {
   const Parts& parts = head_parts();
-  FaceBuilder face("jaw_bone", "joints of neck, jaw and eyes beside shapes", Group::seen, parts);
+  FaceBuilder face("jaw_bone", "joints of neck, jaw and eyes, and shapes", Group::seen, parts);
   add_head_bones(face, parts);
   add_brows(face);
   add_lids(face);
@@ -19,7 +19,8 @@ Rig make_jaw_bone() {
 }
 
 Rig make_walker() {
-  return limb_rig("walker", "a figure of tubes that stands, joints in frames of their own", Group::seen, tests::stick_man(),
+  return limb_rig("walker", "a figure of tubes that stands, joints in frames of their own", Group::seen,
+                  tests::stick_man(),
                   {{"arm_raised", 0, {6, 7, 8}, {{6, {0, 0, 45}}}},
                    {"arm_lowered", 0, {6, 7, 8}, {{6, {0, 0, -50}}}},
                    {"elbow_bent", 0, {7, 8}, {{7, {0, 0, 55}}}},
@@ -35,8 +36,7 @@ Rig make_walker() {
 Rig make_trunk() {
   tests::StickFigure trunk;
   trunk.add(-1, {0, 0, 0}, {0.3, 0, 0}, 0.12);
-  for (int k = 0; k < 7; ++k)
-    trunk.add(k, {0.3 + 0.15 * k, 0, 0}, {0.45 + 0.15 * k, 0, 0}, 0.1 - 0.01 * k);
+  for (int k = 0; k < 7; ++k) trunk.add(k, {0.3 + 0.15 * k, 0, 0}, {0.45 + 0.15 * k, 0, 0}, 0.1 - 0.01 * k);
   const auto curl = [](double first, double each) {
     std::vector<Move::Turn> turns;
     for (std::size_t j = 1; j < 8; ++j) turns.push_back({j, {0, 0, j == 1 ? first : each}});

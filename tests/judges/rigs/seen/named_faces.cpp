@@ -22,10 +22,14 @@ Rig make_toon() {
   face.shape("Fcl_EYE_Close_L", {{"blink_L", 1}});
   face.shape("Fcl_EYE_Close_R", {{"blink_R", 1}});
   face.shape("Fcl_EYE_Surprised", {{"wide_L", 1}, {"wide_R", 1}});
-  face.shape("Fcl_EYE_Joy", {{"blink_L", 0.8}, {"blink_R", 0.8}, {"squint_L", 0.8}, {"squint_R", 0.8}},
-             Means{});
-  face.emote("Fcl_ALL_Joy", {{"smile_L", 0.9}, {"smile_R", 0.9}, {"jaw_open", 0.3}, {"blink_L", 0.6}, {"blink_R", 0.6},
-                             {"squint_L", 0.7}, {"squint_R", 0.7}});
+  face.shape("Fcl_EYE_Joy", {{"blink_L", 0.8}, {"blink_R", 0.8}, {"squint_L", 0.8}, {"squint_R", 0.8}}, Means{});
+  face.emote("Fcl_ALL_Joy", {{"smile_L", 0.9},
+                             {"smile_R", 0.9},
+                             {"jaw_open", 0.3},
+                             {"blink_L", 0.6},
+                             {"blink_R", 0.6},
+                             {"squint_L", 0.7},
+                             {"squint_R", 0.7}});
   return face.build();
 }
 
@@ -37,7 +41,7 @@ Rig make_arkit() {
 }
 
 Rig make_visemes() {
-  FaceBuilder face("visemes", "mouths of speech beside a few shapes of the face", Group::seen, head_parts());
+  FaceBuilder face("visemes", "mouths of speech, and a few shapes of the face", Group::seen, head_parts());
   add_visemes(face, "viseme_");
   add_brows(face);
   face.sides("eyeBlink", {{"blink_", 1}});
@@ -49,7 +53,8 @@ Rig make_visemes() {
 Rig make_many() {
   FaceBuilder face("many", "over 150 controls: muscles, their halves, and sums of any two", Group::seen, head_parts());
   add_arkit(face);
-  const std::array<const char*, 8> pairs{"smile", "frown", "stretch", "upper_up", "lower_down", "sneer", "cheek", "dimple"};
+  const std::array<const char*, 8> pairs{"smile",      "frown", "stretch", "upper_up",
+                                         "lower_down", "sneer", "cheek",   "dimple"};
   for (std::size_t a = 0; a < pairs.size(); ++a) {
     for (std::size_t b = a + 1; b < pairs.size(); ++b) {
       for (const char* side : {"_L", "_R"}) {

@@ -13,15 +13,17 @@ Rig make_split() {
 
 Rig make_summed() {
   const Parts parts = reshaped(head_parts(), broad_person);
-  FaceBuilder face("summed", "both sides in one shape, and sums of them beside their parts", Group::seen, parts);
-  face.shape("smile", {{"smile_L", 1}, {"smile_R", 1}, {"cheek_L", 0.6}, {"cheek_R", 0.6}}, Means{"smile_L", "smile_R"});
+  FaceBuilder face("summed", "both sides in one shape, sums of them, and their parts", Group::seen, parts);
+  face.shape("smile", {{"smile_L", 1}, {"smile_R", 1}, {"cheek_L", 0.6}, {"cheek_R", 0.6}},
+             Means{"smile_L", "smile_R"});
   face.shape("corners_up", {{"smile_L", 0.9}, {"smile_R", 0.9}});
   face.shape("cheeks", {{"cheek_L", 1}, {"cheek_R", 1}});
   face.shape("frown", {{"frown_L", 1}, {"frown_R", 1}, {"shrug_lower", 0.3}});
   face.shape("mouth_open", {{"jaw_open", 0.8}, {"lower_down_L", 0.2}, {"lower_down_R", 0.2}});
   face.shape("wide", {{"stretch_L", 1}, {"stretch_R", 1}});
   face.shape("pucker", {{"pucker", 1}});
-  face.shape("brows_up", {{"brow_inner_up_L", 1}, {"brow_inner_up_R", 1}, {"brow_outer_up_L", 1}, {"brow_outer_up_R", 1}});
+  face.shape("brows_up",
+             {{"brow_inner_up_L", 1}, {"brow_inner_up_R", 1}, {"brow_outer_up_L", 1}, {"brow_outer_up_R", 1}});
   face.shape("brows_worried", {{"brow_inner_up_L", 1}, {"brow_inner_up_R", 1}});
   face.shape("brows_down", {{"brow_down_L", 1}, {"brow_down_R", 1}});
   face.shape("blink", {{"blink_L", 1}, {"blink_R", 1}});
@@ -29,15 +31,22 @@ Rig make_summed() {
   face.shape("wink_R", {{"blink_R", 1}});
   face.shape("eyes_wide", {{"wide_L", 1}, {"wide_R", 1}});
   face.shape("sneer", {{"sneer_L", 1}, {"sneer_R", 1}});
-  face.emote("joy", {{"smile_L", 0.9}, {"smile_R", 0.9}, {"cheek_L", 0.7}, {"cheek_R", 0.7}, {"squint_L", 0.6}, {"squint_R", 0.6}});
+  face.emote(
+      "joy",
+      {{"smile_L", 0.9}, {"smile_R", 0.9}, {"cheek_L", 0.7}, {"cheek_R", 0.7}, {"squint_L", 0.6}, {"squint_R", 0.6}});
   face.emote("sorrow", {{"frown_L", 0.7}, {"frown_R", 0.7}, {"brow_inner_up_L", 0.8}, {"brow_inner_up_R", 0.8}});
-  face.emote("rage", {{"brow_down_L", 1}, {"brow_down_R", 1}, {"sneer_L", 0.6}, {"sneer_R", 0.6}, {"stretch_L", 0.4}, {"stretch_R", 0.4}});
+  face.emote("rage", {{"brow_down_L", 1},
+                      {"brow_down_R", 1},
+                      {"sneer_L", 0.6},
+                      {"sneer_R", 0.6},
+                      {"stretch_L", 0.4},
+                      {"stretch_R", 0.4}});
   return face.build();
 }
 
 Rig make_one_sided() {
   const Parts parts = reshaped(head_parts(), broad_person);
-  FaceBuilder face("one_sided", "shapes of one side without their partner, beside shapes of both", Group::seen, parts);
+  FaceBuilder face("one_sided", "shapes of one side without a partner, and shapes of both", Group::seen, parts);
   face.shape("smile", {{"smile_L", 1}, {"smile_R", 1}});
   face.shape("smile_left", {{"smile_L", 1}});
   face.shape("frown_left", {{"frown_L", 1}});
@@ -46,7 +55,8 @@ Rig make_one_sided() {
   face.shape("jaw_open", {{"jaw_open", 1}});
   face.shape("pucker", {{"pucker", 1}});
   face.shape("mouth_left", {{"mouth_L", 1}});
-  face.shape("brows_up", {{"brow_inner_up_L", 1}, {"brow_inner_up_R", 1}, {"brow_outer_up_L", 1}, {"brow_outer_up_R", 1}});
+  face.shape("brows_up",
+             {{"brow_inner_up_L", 1}, {"brow_inner_up_R", 1}, {"brow_outer_up_L", 1}, {"brow_outer_up_R", 1}});
   face.shape("brow_up_right", {{"brow_inner_up_R", 1}, {"brow_outer_up_R", 1}});
   face.shape("brow_down_left", {{"brow_down_L", 1}});
   face.shape("brow_down_right", {{"brow_down_R", 1}});
@@ -57,7 +67,7 @@ Rig make_one_sided() {
 }
 
 Rig make_weak() {
-  FaceBuilder face("weak", "shapes that move little at their most, beside ordinary ones", Group::seen, head_parts());
+  FaceBuilder face("weak", "shapes that move little at their most, and ordinary ones", Group::seen, head_parts());
   face.sides("browUp", {{"brow_inner_up_", 0.3}, {"brow_outer_up_", 0.3}});
   face.sides("browDown", {{"brow_down_", 0.3}});
   add_lids(face);
@@ -89,8 +99,13 @@ Rig make_emotes() {
   face.shape("open_mouth", {{"jaw_open", 0.9}, {"pucker", 0.3}});
   face.shape("ooh", {{"pucker", 0.85}, {"jaw_open", 0.2}});
   face.emote("kiss", {{"pucker", 1}, {"blink_L", 0.9}, {"blink_R", 0.9}});
-  face.emote("surprise", {{"jaw_open", 0.55}, {"brow_inner_up_L", 0.7}, {"brow_inner_up_R", 0.7}, {"brow_outer_up_L", 0.7},
-                          {"brow_outer_up_R", 0.7}, {"wide_L", 0.8}, {"wide_R", 0.8}});
+  face.emote("surprise", {{"jaw_open", 0.55},
+                          {"brow_inner_up_L", 0.7},
+                          {"brow_inner_up_R", 0.7},
+                          {"brow_outer_up_L", 0.7},
+                          {"brow_outer_up_R", 0.7},
+                          {"wide_L", 0.8},
+                          {"wide_R", 0.8}});
   face.emote("delight", {{"smile_L", 0.9}, {"smile_R", 0.9}, {"jaw_open", 0.4}, {"squint_L", 0.7}, {"squint_R", 0.7}});
   return face.build();
 }
