@@ -1,0 +1,108 @@
+#include "tests/judges/cases/gestures.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tests/judges/cases/gesture_list.h"
+#include "tests/judges/cases/picture.h"
+#include "tests/judges/hands/hand.h"
+#include "tests/judges/rigs/control_words.h"
+
+namespace penpose::judges {
+namespace {
+
+/// Muscles that are meant, as controls of the rig that do nothing beyond what is needed and accepted.
+struct Meant {
+  std::vector<std::vector<std::string>> needed;
+  std::vector<std::string> accepted;
+};
+
+Meant meant_on(const Rig& rig, const GestureKind& kind) {
+  std::vector<std::string> allowed = kind.accepted;
+  for (const auto& group : kind.needed) allowed.insert(allowed.end(), group.begin(), group.end());
+  Meant meant;
+  meant.needed.resize(kind.needed.size());
+  for (const Meaning& meaning : rig.meanings) {
+    // What a joint does depends on which way it turns, so that one word that is meant is enough.
+    const bool turns = rig::find_parameter(rig.model.rig->parameters(), meaning.control + ".rx").has_value();
+    const bool fits = !meaning.means.empty() && (turns || std::all_of(meaning.means.begin(), meaning.means.end(),
+                                                                      [&](const auto& m) { return has(allowed, m); }));
+    if (!fits) continue;
+    bool needed = false;
+    for (std::size_t g = 0; g < kind.needed.size(); ++g) {
+      const bool in = std::any_of(meaning.means.begin(), meaning.means.end(),
+                                  [&](const auto& m) { return has(kind.needed[g], m); });
+      if (in) meant.needed[g].push_back(meaning.control);
+      needed = needed || in;
+    }
+    const bool helps =
+        std::any_of(meaning.means.begin(), meaning.means.end(), [&](const auto& m) { return has(kind.accepted, m); });
+    if (!needed && helps) meant.accepted.push_back(meaning.control);
+  }
+  return meant;
+}
+
+/// Whether some control of the rig moves this part of the face at all.
+bool moves_brows(const Rig& rig) {
+  return std::any_of(rig.meanings.begin(), rig.meanings.end(), [](const Meaning& meaning) {
+    return std::any_of(meaning.means.begin(), meaning.means.end(),
+                       [](const std::string& m) { return m.starts_with("brow_"); });
+  });
+}
+
+std::vector<PxPoint> bent(const GestureKind::Line& line, const std::vector<PxPoint>& rest,
+                          const std::vector<PxPoint>& towards, PxPoint middle, double half) {
+  std::vector<PxPoint> out;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const double s = static_cast<double>(i) / static_cast<double>(rest.size() - 1);
+    if (line.bend) {
+      out.push_back(line.bend(rest[i], s, std::clamp((rest[i].x - middle.x) / half, -1.0, 1.0), half));
+    } else {
+      out.push_back(rest[i] + (towards[i] - rest[i]) * line.share);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Gesture> gestures(const Rig& rig, Extent extent) {
+  const auto rest = posed(rig.model, rig::rest_pose(*rig.model.rig));
+  const Picture picture(0, size_of(rest, rig.lines));
+  const auto flat = [&](const std::string& name) { return picture.flat(rest, rig.line(name)->vertices); };
+  const auto lip = flat("lip_upper");
+  const PxPoint middle = (lip.front() + lip.back()) * 0.5;
+  const double half = 0.5 * geometry::distance(lip.front(), lip.back());
+  std::vector<Gesture> all;
+  std::size_t number = 0;
+  for (const GestureKind& kind : gesture_kinds()) {
+    Meant meant = meant_on(rig, kind);
+    const bool can = std::none_of(meant.needed.begin(), meant.needed.end(), [](const auto& g) { return g.empty(); });
+    const bool cannot = kind.lines.front().name.starts_with("brow") && !moves_brows(rig);
+    if (!can && !cannot) continue;
+    ++number;
+    std::vector<const char*> hands{"tremor_1", "tremor_2", "uneven", "ends", "backwards"};
+    if (extent == Extent::brief) hands = {hands[number % hands.size()]};
+    for (const char* called : hands) {
+      Gesture gesture;
+      gesture.asked.name = kind.name + "/" + called;
+      gesture.hand = called;
+      gesture.needed = meant.needed;
+      gesture.accepted = meant.accepted;
+      gesture.still_is_right = cannot;
+      if (cannot) gesture.needed.clear();
+      for (const GestureKind::Line& line : kind.lines) {
+        const auto& vertices = rig.line(line.name)->vertices;
+        std::vector<PxPoint> towards;
+        if (!line.towards.empty()) towards = resampled(flat(line.towards), vertices.size());
+        const auto drawn = drawn_by(hand_named(called), bent(line, flat(line.name), towards, middle, half),
+                                    seed_of(rig.name, gesture.asked.name + line.name));
+        gesture.asked.references.push_back({line.name, vertices, picture.in_space(drawn, rest, vertices), {}});
+      }
+      all.push_back(std::move(gesture));
+    }
+  }
+  return all;
+}
+
+}  // namespace penpose::judges
