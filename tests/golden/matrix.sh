@@ -43,8 +43,8 @@ run() {
   [ "$way" = tsan ] && threads=4
   shift
   local build=$folder/$way
-  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DPENPOSE_WERROR=OFF -DPENPOSE_UI=OFF -DPENPOSE_TESTS=OFF \
-    -DPENPOSE_GOLDEN=ON "$@" >"$build.log" 2>&1 &&
+  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DPENPOSE_UI=OFF -DPENPOSE_GOLDEN=ON \
+    -DPENPOSE_UNITY=OFF -DPENPOSE_PRECOMPILED=OFF "$@" >"$build.log" 2>&1 &&
     cmake --build "$build" --target golden >>"$build.log" 2>&1 &&
     ctest --test-dir "$build" --output-on-failure -R "^golden/${threads}_threads\$|^other_machine/" >>"$build.log" 2>&1
   local result=$?
