@@ -114,28 +114,28 @@ Line parse_state(std::string_view text) {
   return parsed(line);
 }
 
-std::optional<SessionOrigin> parse_origin(std::string_view text) {
+/// The edition is 0 where none is said.
+SessionOrigin parse_origin(std::string_view text) {
   std::string_view edition = take_piece(text, ' ');
-  if (take_piece(edition, '=') != "edition") return std::nullopt;
-  const auto number = document::TextForm<std::uint32_t>::read(edition);
-  if (!number || *number == 0) return std::nullopt;
+  const bool named = take_piece(edition, '=') == "edition";
   auto members = document::parse_members<ProgramMember>(text);
-  return SessionOrigin{*number, members ? std::move(members->program) : std::string()};
+  return {named ? document::TextForm<std::uint32_t>::read(edition).value_or(0) : 0,
+          members ? std::move(members->program) : std::string()};
 }
 
-base::Error another_edition(const std::optional<SessionOrigin>& origin) {
-  const bool named = origin && !origin->program.empty();
-  const std::string program = named ? base::shown_line(origin->program, k_longest_name) : "a program without a name";
+base::Error another_edition(const SessionOrigin& origin) {
+  const std::string program =
+      origin.program.empty() ? "a program without a name" : base::shown_line(origin.program, k_longest_name);
   std::string what = "the session was recorded by " + program + " under another edition of drawing";
-  if (!origin) return {what + ", which it does not say", "", "replay it with that program"};
-  what += ": " + std::to_string(origin->edition) + ", this program's is " + std::to_string(base::k_edition);
-  if (origin->edition > base::k_edition) return {what, "", "take a program as new as that one"};
+  if (origin.edition == 0) return {what + ", which it does not say", "", "replay it with that program"};
+  what += ": " + std::to_string(origin.edition) + ", this program's is " + std::to_string(base::k_edition);
+  if (origin.edition > base::k_edition) return {what, "", "take a program as new as that one"};
   return {what, "", "draw it again with today's reading: replay --by-today, or open it in the window"};
 }
 
 Line parse_header(std::string_view text) {
-  const auto origin = parse_origin(text);
-  if (!origin || origin->edition != base::k_edition) return another_edition(origin);
+  const SessionOrigin origin = parse_origin(text);
+  if (origin.edition != base::k_edition) return another_edition(origin);
   static_cast<void>(take_piece(text, ' '));
   auto members = document::parse_members<ProgramMember>(text);
   if (!members) return members.error();
@@ -216,7 +216,9 @@ base::Result<std::optional<SessionLine>> parse_session_line(std::string_view com
 
 std::optional<SessionOrigin> session_origin(std::string_view comment) {
   if (!take_mark(comment) || take_piece(comment, ' ') != "session") return std::nullopt;
-  return parse_origin(comment);
+  SessionOrigin origin = parse_origin(comment);
+  if (origin.edition == 0) return std::nullopt;
+  return origin;
 }
 
 }  // namespace penpose::replay

@@ -60,13 +60,13 @@ std::string type_of(const Json& image) {
   return ends(".webp") ? "image/webp" : ends(".ktx2") ? "image/ktx2" : "";
 }
 
-/// Of another edition only the model is read.
+/// Of a newer edition, or none, only the model is read.
 bool holds_project(const Json& root) {
   const Json* extras = json::find(root, "extras");
   const Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   if (own == nullptr || json::find(*own, "project") == nullptr) return false;
   const Json* edition = json::find(*own, "edition");
-  return edition != nullptr && json::whole_number(*edition, base::k_edition, base::k_edition).has_value();
+  return edition != nullptr && json::whole_number(*edition, 1, base::k_edition).has_value();
 }
 
 }  // namespace
