@@ -34,7 +34,7 @@ base::Result<Today> today(const DeleteKey& command, const Document&) {
 /// it, everything is drawn together around it.
 base::Result<Today> today(const MoveKey& command, const Document& now) {
   if (command.from_s != command.to_s && document::key_at(*now.timeline, command.to_s))
-    return base::Error{"another key is at that moment", "to_s", "delete it first"};
+    return Today{{}, {}, base::Error{"another key is at that moment", "to_s", "delete it first"}};
   document::MoveKeys moved{{{command.from_s}, {}}};
   moved.by_s = command.to_s - command.from_s;
   if (command.from_s + moved.by_s != command.to_s) {

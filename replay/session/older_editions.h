@@ -21,10 +21,11 @@ namespace penpose::replay {
 struct Today {
   std::vector<document::Command> commands;     ///< in this order; none: nothing is to be done now
   std::optional<document::KeyKind> keys = {};  ///< all keys are of this kind from now on
+  std::optional<base::Error> refused = {};     ///< what it was refused for then; today's command would not be
 };
 
 /// The command "NAME MEMBER=VALUE ..." of a session of that edition; nothing where today's form reads it. `now` is what
-/// it is done to. Errors: a member of another form; what it was refused for then.
+/// it is done to. Errors: a member of another form.
 [[nodiscard]] base::Result<std::optional<Today>> today_of(std::uint32_t edition, std::string_view command,
                                                           const document::Document& now);
 

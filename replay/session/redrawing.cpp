@@ -12,14 +12,14 @@ namespace {
 using document::Document;
 using document::KeyKind;
 
-constexpr std::string_view k_mark = "# penpose ";
+constexpr std::string_view k_line_mark = "# penpose ";
 constexpr std::string_view k_does = "do ";
 
 }  // namespace
 
 std::optional<std::string_view> step_line(std::string_view comment) {
-  if (!comment.starts_with(k_mark)) return std::nullopt;
-  comment.remove_prefix(k_mark.size());
+  if (!comment.starts_with(k_line_mark)) return std::nullopt;
+  comment.remove_prefix(k_line_mark.size());
   const bool is_step = comment.starts_with(k_does) || comment == "undo" || comment == "redo";
   return is_step ? std::optional(comment) : std::nullopt;
 }
@@ -78,34 +78,40 @@ void Redrawing::begin_step(std::uint64_t line, std::string_view what) {
 
 base::Result<std::vector<SessionLine>> Redrawing::today(std::string_view line, const Document& now) {
   std::vector<SessionLine> lines;
-  if (line == "undo" || line == "redo") {
-    const bool undo = line == "undo";
+  const auto refused = [&](const base::Error& why, bool unknown) {
+    refuse(why, unknown);
+    return why;
+  };
+  if (pending_->does != Does::change) {
+    const bool undo = pending_->does == Does::undo;
     const std::vector<Past>& steps = undo ? done_ : undone_;
-    if (steps.empty()) return base::Error{"there is nothing to " + std::string(line), "", ""};
+    if (steps.empty()) return refused({"there is nothing to " + std::string(line), "", ""}, false);
     lines.assign(steps.back().today, undo ? SessionLine(Undone{}) : SessionLine(Redone{}));
     return lines;
   }
   line.remove_prefix(k_does.size());
   auto older = today_of(out_.edition, line, now);
-  if (!older) return older.error();
+  if (!older) return refused(older.error(), true);
   if (*older) {
+    if ((*older)->refused) return refused(*(*older)->refused, false);
     if ((*older)->keys) set_kind(*(*older)->keys);
     for (document::Command& command : (*older)->commands) lines.emplace_back(Performed{std::move(command)});
     return lines;
   }
   auto command = document::parse_command(line);
-  if (!command) return command.error();
+  if (!command) return refused(command.error(), true);
   lines.emplace_back(Performed{std::move(command).value()});
   return lines;
 }
 
 void Redrawing::did(const base::Status& status) {
-  if (!status) return refused(status.error());
+  if (!status) return refuse(status.error(), false);
   ++pending_->done;
 }
 
-void Redrawing::refused(const base::Error& why) {
+void Redrawing::refuse(const base::Error& why, bool unknown) {
   pending_->refused = true;
+  pending_->unknown = unknown;
   pending_->step.reason = why.line();
   set_kind(pending_->kind_before);
 }
@@ -147,11 +153,13 @@ void Redrawing::keep_past(const Pending& step, bool changed_then, bool changed_n
 void Redrawing::close(std::optional<bool> changed_then, bool changed_now) {
   if (!pending_) return;
   Pending step = *std::exchange(pending_, std::nullopt);
-  if (step.does == Does::change) keep_past(step, changed_then.value_or(!step.refused), changed_now);
+  // What today cannot express is taken for what changed something then.
+  if (step.does == Does::change)
+    keep_past(step, changed_then.value_or(!step.refused || step.unknown), changed_now);
   RedrawnStep& out = step.step;
-  if (step.refused && changed_then.value_or(true)) {
+  if (step.refused && changed_then.value_or(step.unknown)) {
     out.came_out = CameOut::not_drawn;
-  } else {
+  } else if (out.came_out != CameOut::not_compared) {
     out.reason.clear();
   }
   ++out_.counts[static_cast<std::size_t>(out.came_out)];
@@ -162,7 +170,7 @@ void Redrawing::reached(const document::DocumentState& recorded, const Document&
   const bool changed_then = !(recorded.whole == std::exchange(recorded_, recorded.whole));
   if (!pending_ && changed_then) {
     begin_step(line, "step");
-    refused({"what the session has before this line is no step today", "", ""});
+    refuse({"what the session has before this line is no step today", "", ""}, true);
   }
   std::optional<std::vector<std::string_view>> parts;  // of the form in which the fewest differ
   bool equal = false;

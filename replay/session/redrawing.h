@@ -15,8 +15,9 @@ namespace penpose::replay {
 /// Follows a session of any edition while it is drawn again with today's reading: says what each of its steps is today,
 /// compares what comes of it with what was recorded, and keeps undo to the steps that it took back then.
 ///
-/// The calls of a step, in order: `begin_step`, `today` where it is a line, `did` for each step of today's that it
-/// became or `refused`, `follow_up` with `did` once more, and `reached` with the state that the session has after it.
+/// The calls of a step, in order: `begin_step`; where it is a line `today`, or for a stroke nothing; `did` for each step
+/// of today's that it became; `follow_up` with `did` once more; and `reached` with the state that the session has after
+/// it.
 class Redrawing {
  public:
   explicit Redrawing(std::uint32_t edition);
@@ -26,11 +27,11 @@ class Redrawing {
   [[nodiscard]] bool began_on(const document::Document& document, const base::Hash128& named);
 
   void begin_step(std::uint64_t line, std::string_view what);
-  /// What the line of a step ("do ...", "undo", "redo", without "# penpose ") is today. Errors: what today's reading
-  /// cannot express; a command that was refused then and would not be now; nothing to undo or redo.
+  /// What the line of a step ("do ...", "undo", "redo", without "# penpose ") is today. Errors: why nothing is to be
+  /// done for it, which is kept for the report: today's reading cannot express it; it was refused then, and would not
+  /// be now; there is nothing to undo or redo.
   [[nodiscard]] base::Result<std::vector<SessionLine>> today(std::string_view line, const document::Document& now);
   void did(const base::Status& status);
-  void refused(const base::Error& why);
   /// What has to follow so that the document is as sessions of that edition had it.
   [[nodiscard]] std::optional<SessionLine> follow_up(const document::Document& now);
   void reached(const document::DocumentState& recorded, const document::Document& now, std::uint64_t line);
@@ -44,7 +45,8 @@ class Redrawing {
     RedrawnStep step;
     Does does = Does::change;
     std::size_t done = 0;  ///< steps of today's
-    bool refused = false;
+    bool refused = false;  ///< the last of them, or all: nothing is changed
+    bool unknown = false;  ///< it cannot be expressed today
     document::KeyKind kind_before = document::KeyKind::smooth;
   };
   /// A step that undo took back then.
@@ -54,6 +56,7 @@ class Redrawing {
     document::KeyKind after = document::KeyKind::smooth;
   };
 
+  void refuse(const base::Error& why, bool unknown);
   void set_kind(document::KeyKind kind);
   void make_hashers();
   void cross(bool back);

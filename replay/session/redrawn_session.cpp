@@ -26,7 +26,10 @@ std::string text_of(const RedrawnStep& step) {
   if (step.stroke > 0) out += ' ' + std::to_string(step.stroke);
   out += " (line " + std::to_string(step.line) + "): ";
   if (step.came_out == CameOut::not_drawn) return out + "could not be drawn: " + step.reason;
-  if (step.came_out == CameOut::not_compared) return out + "drawn; the session has no state after it to compare with";
+  if (step.came_out == CameOut::not_compared) {
+    if (!step.reason.empty()) out += "changes nothing today (" + step.reason + "); ";
+    return out + "the session has no state after it to compare with";
+  }
   if (step.parts.empty()) return out + "the hash as a whole differs";
   out += "different in " + joined(step.parts);
   if (step.since.empty()) return out + ", as before it";

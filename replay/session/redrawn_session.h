@@ -23,7 +23,7 @@ struct RedrawnStep {
   CameOut came_out = CameOut::not_compared;
   std::vector<std::string_view> parts = {};  ///< that differ (document::k_state_parts)
   std::vector<std::string_view> since = {};  ///< of these, those that did not differ after the step before
-  std::string reason = {};                   ///< why it is not drawn
+  std::string reason = {};                   ///< why it changes nothing today, where it may have then
 };
 
 /// A session that was drawn again with today's reading.

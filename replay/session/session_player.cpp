@@ -168,7 +168,6 @@ void Player::redraw(std::string_view step, std::uint64_t number) {
   redrawing_->begin_step(number, name_of_step(step));
   const auto lines = redrawing_->today(step, editor.document());
   if (!lines) {
-    redrawing_->refused(lines.error());
     ++out_.steps;
     ++out_.refused;
   } else {
