@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/edition.h"
-#include "replay/session/redrawing.h"
+#include "replay/session/by_today/redrawing.h"
 
 namespace penpose::replay {
 namespace {

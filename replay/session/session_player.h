@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
-#include "replay/session/redrawn_session.h"
+#include "replay/session/by_today/redrawn_session.h"
 #include "replay/session/session.h"
 #include "replay/trace/trace_source.h"
 
@@ -69,20 +69,21 @@ struct ReplayResult {
   std::string program;               ///< that recorded it
   std::string model;                 ///< path in the session
   std::uint64_t reports = 0;
-  std::size_t steps = 0;                 ///< strokes on the canvas and commands
-  std::size_t refused = 0;               ///< of these, how many changed nothing
-  std::vector<base::Error> refusals;     ///< the first few
-  std::size_t checked = 0;               ///< states compared
-  std::size_t differing = 0;             ///< of these, how many differed
-  std::optional<Divergence> divergence;  ///< the first
-  std::optional<RedrawnSession> redrawn; ///< of a session that was drawn by today; nothing diverges then
-  std::int64_t first_us = 0;             ///< time of the first report
-  std::int64_t last_us = 0;              ///< and of the last
-  std::vector<base::Error> problems;     ///< lines that could not be read, and a cut at the end: the rest was replayed
+  std::size_t steps = 0;                  ///< strokes on the canvas and commands
+  std::size_t refused = 0;                ///< of these, how many changed nothing
+  std::vector<base::Error> refusals;      ///< the first few
+  std::size_t checked = 0;                ///< states compared
+  std::size_t differing = 0;              ///< of these, how many differed
+  std::optional<Divergence> divergence;   ///< the first
+  std::optional<RedrawnSession> redrawn;  ///< of a session that was drawn by today; nothing diverges then
+  std::int64_t first_us = 0;              ///< time of the first report
+  std::int64_t last_us = 0;               ///< and of the last
+  std::vector<base::Error> problems;      ///< lines that could not be read, and a cut at the end: the rest was replayed
 };
 
 /// Replays a session or a plain trace, using memory that does not grow with its length. Errors: those of reading and of
-/// loading the model; a session of another edition, unless it is older and drawn by today; a model that has changed since it was recorded.
+/// loading the model; a session of another edition, unless it is older and drawn by today; a model that has changed
+/// since it was recorded.
 [[nodiscard]] base::Result<ReplayResult> play_session(ReadBytes read, const PlayerOptions& options);
 
 }  // namespace penpose::replay

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/camera.h"
-#include "replay/session/redrawn_session.h"
+#include "replay/session/by_today/redrawn_session.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/hands/binding.h"
 #include "ui/app/key_stroke.h"

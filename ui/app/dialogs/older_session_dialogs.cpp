@@ -15,8 +15,9 @@ void show_older_session_dialog(PanelContext& context, Files& files, Notices& not
   const OlderSession asked = dialogs.state<OlderSession>();
   if (begin_dialog(context, "A session of an older edition", 14)) {
     ImGui::TextWrapped("This session was drawn in edition %u. Draw it again with today's reading?", asked.edition);
-    ImGui::TextWrapped("Some strokes may mean something else today; you will see which. The session itself stays as it "
-                       "is, and a new one goes on from it.");
+    ImGui::TextWrapped(
+        "Some strokes may mean something else today; you will see which. The session itself stays as it "
+        "is, and a new one goes on from it.");
     if (wide_button(context, "Draw it again", 5 * context.unit) || context.accepts) {
       dialogs.close();
       if (const auto drawn = files.draw_again(asked.path); !drawn) notices.tell(drawn.error().line(asked.path), true);

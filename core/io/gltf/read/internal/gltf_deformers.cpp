@@ -10,8 +10,8 @@ namespace {
 
 /// Share of the model's diagonal that a deformer may be off its target: the target is rounded to float, no more.
 constexpr double k_same = 1e-5;
-/// The same where an older edition made the target: so far a control may be built otherwise today and still be drawn on.
-/// A third of a millimetre on a head.
+/// The same where an older edition made the target: so far a control may be built otherwise today and still be drawn
+/// on. A third of a millimetre on a head.
 constexpr double k_alike = 1e-3;
 
 std::string note(const std::string& name, const std::string& why) {

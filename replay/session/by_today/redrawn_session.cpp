@@ -1,4 +1,4 @@
-#include "replay/session/redrawn_session.h"
+#include "replay/session/by_today/redrawn_session.h"
 
 #include "core/base/edition.h"
 
@@ -41,9 +41,9 @@ std::string summary_of(const RedrawnSession& redrawn) {
   std::size_t all = 0;
   for (const std::size_t count : redrawn.counts) all += count;
   std::string out = "drawn in edition " + std::to_string(redrawn.edition) + ", read by edition " +
-                    std::to_string(base::k_edition) + ": of " + std::to_string(all) + (all == 1 ? " step " : " steps ") +
-                    std::to_string(redrawn.count(CameOut::equal)) + " came out as recorded, " +
-                    std::to_string(redrawn.count(CameOut::differently)) + " differently, " +
+                    std::to_string(base::k_edition) + ": of " + std::to_string(all) +
+                    (all == 1 ? " step " : " steps ") + std::to_string(redrawn.count(CameOut::equal)) +
+                    " came out as recorded, " + std::to_string(redrawn.count(CameOut::differently)) + " differently, " +
                     std::to_string(redrawn.count(CameOut::not_drawn)) + " could not be drawn";
   if (const std::size_t unknown = redrawn.count(CameOut::not_compared); unknown > 0)
     out += ", " + std::to_string(unknown) + " cannot be compared";

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "replay/session/older_editions.h"
-#include "replay/session/redrawn_session.h"
+#include "replay/session/by_today/older_editions.h"
+#include "replay/session/by_today/redrawn_session.h"
 #include "replay/session/session_line.h"
 
 namespace penpose::replay {
@@ -15,9 +15,9 @@ namespace penpose::replay {
 /// Follows a session of any edition while it is drawn again with today's reading: says what each of its steps is today,
 /// compares what comes of it with what was recorded, and keeps undo to the steps that it took back then.
 ///
-/// The calls of a step, in order: `begin_step`; where it is a line `today`, or for a stroke nothing; `did` for each step
-/// of today's that it became; `follow_up` with `did` once more; and `reached` with the state that the session has after
-/// it.
+/// The calls of a step, in order: `begin_step`; where it is a line `today`, or for a stroke nothing; `did` for each
+/// step of today's that it became; `follow_up` with `did` once more; and `reached` with the state that the session has
+/// after it.
 class Redrawing {
  public:
   explicit Redrawing(std::uint32_t edition);

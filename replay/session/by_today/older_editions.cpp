@@ -1,4 +1,4 @@
-#include "replay/session/older_editions.h"
+#include "replay/session/by_today/older_editions.h"
 
 #include <algorithm>
 #include <array>

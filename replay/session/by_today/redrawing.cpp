@@ -1,4 +1,4 @@
-#include "replay/session/redrawing.h"
+#include "replay/session/by_today/redrawing.h"
 
 #include <algorithm>
 #include <utility>
@@ -154,8 +154,7 @@ void Redrawing::close(std::optional<bool> changed_then, bool changed_now) {
   if (!pending_) return;
   Pending step = *std::exchange(pending_, std::nullopt);
   // What today cannot express is taken for what changed something then.
-  if (step.does == Does::change)
-    keep_past(step, changed_then.value_or(!step.refused || step.unknown), changed_now);
+  if (step.does == Does::change) keep_past(step, changed_then.value_or(!step.refused || step.unknown), changed_now);
   RedrawnStep& out = step.step;
   if (step.refused && changed_then.value_or(step.unknown)) {
     out.came_out = CameOut::not_drawn;
