@@ -42,7 +42,7 @@ std::string find_session_model(const std::string& session, const std::string& mo
 }
 
 bool changes_with_editions(const std::string& model) {
-  return model.starts_with("builtin:") || is_project(model_name(model).file);
+  return model.starts_with("builtin:") || is_older_project(model_name(model).file);
 }
 
 std::optional<std::uint32_t> older_edition_of(const std::string& session) {

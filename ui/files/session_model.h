@@ -18,7 +18,7 @@ inline constexpr const char* k_default_model = "builtin:demo";
 [[nodiscard]] std::string find_session_model(const std::string& session, const std::string& model);
 
 /// Whether a model, as find_session_model gives it, may be in another state today than when a session of an older
-/// edition began on it: the program's own, and projects, whose controls are built anew.
+/// edition began on it: the program's own, and projects of older editions, whose controls are built anew.
 [[nodiscard]] bool changes_with_editions(const std::string& model);
 
 /// The edition under which a session was recorded, where that is older than this program's. Nothing for any other file.

@@ -102,6 +102,9 @@ base::Status Files::open(const std::string& path) {
     draw.kind = drawing::ToolKind::draw;
     parts_.editing.set_tool(draw);
   }
+  if (files::is_older_project(path)) {
+    for (const std::string& note : parts_.editing.document().model->notes) parts_.notices.tell(note);
+  }
   const bool lies = files::leaves_axes_open(path) && io::looks_as_if_z_were_up(*parts_.editing.document().model);
   if (lies) parts_.notices.tell("it looks as if it lay on its back: Z up, in the menu, stands it up");
   if (!path.starts_with("builtin:")) {

@@ -12,7 +12,7 @@
 namespace penpose::app {
 namespace {
 
-std::string text_of(const std::string& path) {
+std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -35,7 +35,7 @@ TEST(OlderSession, IsAskedAboutAndDrawnAgainIntoASessionOfToday) {
   Desk desk("older-open");
   desk.begin();
   const std::string path = older_session(desk, "pose", 3);
-  const std::string before = text_of(path);
+  const std::string before = content_of(path);
   const std::string recorded = desk.app->of<Recording>().path();
   press_open(desk, path);
   ASSERT_EQ(desk.app->of<Dialogs>().open(), Dialog::older_session);
@@ -51,7 +51,7 @@ TEST(OlderSession, IsAskedAboutAndDrawnAgainIntoASessionOfToday) {
   EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   EXPECT_EQ(desk.document().curves.size(), 3U);
   EXPECT_TRUE(desk.app->of<EditingSession>().unsaved());
-  EXPECT_EQ(text_of(path), before) << "the session itself stays as it is";
+  EXPECT_EQ(content_of(path), before) << "the session itself stays as it is";
   // What goes on is a session of today with all that was drawn, and undo goes back into it.
   const std::string session = desk.app->of<Recording>().path();
   EXPECT_NE(session, recorded);
@@ -64,7 +64,7 @@ TEST(OlderSession, IsAskedAboutAndDrawnAgainIntoASessionOfToday) {
   options.open = [&](const std::string& named) {
     return files::load_document(files::find_session_model(session, named));
   };
-  const std::string text = text_of(session);
+  const std::string text = content_of(session);
   EXPECT_TRUE(text.starts_with("# penpose session edition=" + std::to_string(base::k_edition) + " "));
   const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
   ASSERT_TRUE(played) << played.error().line();
@@ -94,7 +94,7 @@ TEST(OlderSession, OneThatCannotBeDrawnIsSaidAndTheWorkGoesOn) {
   const auto state = desk.app->of<EditingSession>().state();
   const std::string session = desk.app->of<Recording>().path();
   const std::string path = older_session(desk, "pose", 5);
-  std::string text = text_of(path);
+  std::string text = content_of(path);
   text.replace(text.find("builtin%3Ademo"), 14, "gone.glb");
   std::ofstream(path, std::ios::binary) << text;
   press_open(desk, path);
@@ -108,7 +108,7 @@ TEST(OlderSession, OneThatCannotBeDrawnIsSaidAndTheWorkGoesOn) {
   EXPECT_EQ(desk.app->of<Recording>().path(), session);
   desk.click("Key");
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
-  EXPECT_NE(text_of(session).find("do set_key"), std::string::npos) << "it is still recorded";
+  EXPECT_NE(content_of(session).find("do set_key"), std::string::npos) << "it is still recorded";
 }
 
 TEST(OlderSession, OneOfTodayAndOneOfANewerEditionAreNotAskedAbout) {
@@ -116,7 +116,7 @@ TEST(OlderSession, OneOfTodayAndOneOfANewerEditionAreNotAskedAbout) {
   desk.begin();
   const std::string path = older_session(desk, "pose", 6);
   const auto of_edition = [&](std::uint32_t edition) {
-    std::string text = text_of(path);
+    std::string text = content_of(path);
     const std::size_t at = text.find("edition=") + 8;
     text.replace(at, text.find(' ', at) - at, std::to_string(edition));
     const std::string other = desk.path("other.session");
