@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 namespace penpose::base {
 
@@ -20,30 +20,31 @@ struct Error {
   [[nodiscard]] std::string line(std::string_view file = {}) const;
 };
 
-/// A value or the error that stood in its way.
+/// A value or the error that stood in its way. Not a std::variant: there is one for each type of value, and they take
+/// longer to compile than what they are used in.
 template <typename T>
 class [[nodiscard]] Result {
  public:
   using Value = T;
 
-  Result(T value) : state_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;` is the point
-  Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+  Result(T value) : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;` is the point
+  Result(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
-  [[nodiscard]] bool ok() const { return std::holds_alternative<T>(state_); }
+  [[nodiscard]] bool ok() const { return value_.has_value(); }
   explicit operator bool() const { return ok(); }
 
   /// The value. Precondition: ok(); a violated precondition ends the program rather than reading garbage.
   [[nodiscard]] T& value() & {
     require(ok());
-    return *std::get_if<T>(&state_);
+    return *value_;
   }
   [[nodiscard]] const T& value() const& {
     require(ok());
-    return *std::get_if<T>(&state_);
+    return *value_;
   }
   [[nodiscard]] T&& value() && {
     require(ok());
-    return std::move(*std::get_if<T>(&state_));
+    return std::move(*value_);
   }
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
@@ -54,7 +55,7 @@ class [[nodiscard]] Result {
   /// The error. Precondition: !ok().
   [[nodiscard]] const Error& error() const {
     require(!ok());
-    return *std::get_if<Error>(&state_);
+    return error_;
   }
 
  private:
@@ -62,7 +63,8 @@ class [[nodiscard]] Result {
     if (!condition) std::abort();
   }
 
-  std::variant<T, Error> state_;
+  std::optional<T> value_;
+  Error error_;
 };
 
 /// The result of an operation that gives nothing back but may fail.

@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "ui/capi/call.h"
 
 using penpose::capi::call;
@@ -6,7 +7,7 @@ using penpose::capi::needed;
 
 uint32_t penpose_abi_version(void) { return PENPOSE_ABI_VERSION; }
 
-const char* penpose_version(void) { return PENPOSE_VERSION; }
+const char* penpose_version(void) { return base::k_version_text; }
 
 int32_t penpose_open(penpose_library** library, penpose_error* error) {
   return call(error, [&] {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/version.h"
 #include "core/document/commands/command_text.h"
 #include "replay/recording/recording.h"
 #include "replay/session/session_player.h"
@@ -71,7 +72,7 @@ int32_t penpose_perform(penpose_library* library, penpose_handle character, cons
 
 int32_t penpose_record(penpose_library* library, penpose_handle character, const char* model, penpose_error* error) {
   return call_character(library, character, error, [&](character::Character& one, CharacterObject& object) {
-    replay::CommandRecorder recorder("libpenpose-" PENPOSE_VERSION);
+    replay::CommandRecorder recorder("libpenpose-" + std::string(base::k_version));
     std::string begun = recorder.begin(one.document(), text(model, "model"));
     one.listen([&object](std::span<const document::Command> commands, std::span<const document::Document> after) {
       // Only the last of these changes anything.

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
+
+#include "ui/cli/parser/command.h"
 
 namespace penpose::cli {
 
 /// `--draw gl|es|cpu`: how pictures are drawn; without it the first way that starts.
-void add_draw_option(CLI::App& command, std::string& way);
+void add_draw_option(const Command& command, std::string& way);
 
 }  // namespace penpose::cli

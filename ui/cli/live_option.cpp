@@ -1,12 +1,10 @@
 #include "ui/cli/live_option.h"
 
-#include <CLI/CLI.hpp>
-
 #include "ui/live/live.h"
 
 namespace penpose::cli {
 
-void add_live_option(CLI::App& command, std::string& live) {
+void add_live_option(const Command& command, std::string& live) {
   if (live::live_outputs().empty()) return;
   std::string help = "Send the pose of every frame:";
   for (const live::LiveOutput& output : live::live_outputs())

@@ -4,7 +4,7 @@
 
 namespace penpose::cli {
 
-std::function<std::string(std::string&)> number_range(double low, double high) {
+Check number_range(double low, double high) {
   return [low, high](const std::string& text) -> std::string {
     const auto value = base::parse_double(text);
     if (value && *value >= low && *value <= high) return {};
@@ -13,7 +13,7 @@ std::function<std::string(std::string&)> number_range(double low, double high) {
   };
 }
 
-std::function<std::string(std::string&)> whole_range(std::int64_t low, std::int64_t high) {
+Check whole_range(std::int64_t low, std::int64_t high) {
   return [low, high](const std::string& text) -> std::string {
     const auto value = base::parse_int(text);
     if (value && *value >= low && *value <= high) return {};

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <string>
+
+#include "ui/cli/parser/command.h"
 
 namespace penpose::cli {
 
-/// A check of an option's text for CLI::Validator: a finite number from `low` to `high`. CLI::Range lets NaN pass.
-[[nodiscard]] std::function<std::string(std::string&)> number_range(double low, double high);
+/// A check of an option's text: a finite number from `low` to `high`. The parser's own range lets NaN pass.
+[[nodiscard]] Check number_range(double low, double high);
 
 /// The same for a whole number.
-[[nodiscard]] std::function<std::string(std::string&)> whole_range(std::int64_t low, std::int64_t high);
+[[nodiscard]] Check whole_range(std::int64_t low, std::int64_t high);
 
 }  // namespace penpose::cli

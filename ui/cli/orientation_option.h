@@ -1,14 +1,11 @@
 #pragma once
 
 #include "core/io/surface/orientation.h"
-
-namespace CLI {
-class App;
-}
+#include "ui/cli/parser/command.h"
 
 namespace penpose::cli {
 
 /// Adds "--up y|z" and "--left-handed" to a command that reads surfaces.
-void add_orientation_options(CLI::App& command, io::Orientation& orientation);
+void add_orientation_options(const Command& command, io::Orientation& orientation);
 
 }  // namespace penpose::cli

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "ui/cli/command_table.h"
+#include "ui/cli/parser/command_table.h"
 
 namespace penpose::pages {
 

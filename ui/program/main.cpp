@@ -1,7 +1,7 @@
 #include <csignal>
 
-#include "ui/cli/command_line.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/parser/command_line.h"
 #include "ui/files/process/rights.h"
 #include "ui/files/process/standard_streams.h"
 #include "ui/program/window.h"

@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/base/version.h"
 #include "core/document/commands/command_text.h"
 #include "core/tracking/animate.h"
 #include "ui/serve/animation_json.h"
@@ -18,7 +19,7 @@ namespace {
 
 using document::CurveId;
 
-constexpr std::string_view k_program = "penpose-serve-" PENPOSE_VERSION;
+const std::string k_program = "penpose-serve-" + std::string(base::k_version);
 
 std::optional<bool> constraint_of(std::string_view role) {
   if (role == "reference") return false;

@@ -10,6 +10,7 @@
 
 #include "core/base/text/utf8.h"
 #include "core/document/commands/apply_parts.h"
+#include "core/document/commands/command_visit.h"
 
 namespace penpose::document {
 
@@ -103,9 +104,9 @@ base::Error at(const char* member, base::Error error) {
 }
 
 base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work) {
-  if (auto error = std::visit([](const auto& one) { return check_texts(one); }, command)) return *error;
-  auto changed = std::visit([&](const auto& one) { return run(document, one, work.parts()); }, command);
-  if (changed) keep_moments(document, std::holds_alternative<SetKey>(command), *changed);
+  if (auto error = visit([](const auto& one) { return check_texts(one); }, command)) return *error;
+  auto changed = visit([&](const auto& one) { return run(document, one, work.parts()); }, command);
+  if (changed) keep_moments(document, command.holds<SetKey>(), *changed);
   return changed;
 }
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/base/text/utf8.h"
+#include "core/document/commands/command_visit.h"
 #include "core/document/commands/text_form.h"
 #include "core/geometry/lasso.h"
 
@@ -76,7 +77,7 @@ const char* wrong(const std::vector<T>& values) {
 
 base::Status check_command(const Command& command) {
   base::Status status{base::Done{}};
-  std::visit(
+  visit(
       [&](const auto& one) {
         base::each_member(one, [&](std::string_view member, const auto& value) {
           const char* what = wrong(value);

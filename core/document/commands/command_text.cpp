@@ -1,5 +1,6 @@
 #include "core/document/commands/command_text.h"
 
+#include "core/document/commands/command_visit.h"
 #include "core/document/commands/text_members.h"
 
 namespace penpose::document {
@@ -7,11 +8,11 @@ namespace {
 
 template <std::size_t I = 0>
 base::Result<Command> parse_named(std::string_view name, std::string_view members) {
-  if constexpr (I == std::variant_size_v<Command>) {
+  if constexpr (I == std::variant_size_v<CommandTypes>) {
     return base::Error{"there is no command \"" + std::string(name.substr(0, 40)) + "\"", "",
                        "a newer version of the program may know it"};
   } else {
-    using One = std::variant_alternative_t<I, Command>;
+    using One = std::variant_alternative_t<I, CommandTypes>;
     if (One::k_called.name == name) {
       auto command = parse_members<One>(members);
       if (!command) return command.error();
@@ -25,7 +26,7 @@ base::Result<Command> parse_named(std::string_view name, std::string_view member
 
 std::string to_text(const Command& command) {
   std::string out(called(command).name);
-  std::visit([&](const auto& one) { append_members(out, one); }, command);
+  visit([&](const auto& one) { append_members(out, one); }, command);
   return out;
 }
 

@@ -112,7 +112,7 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   for (; script.editor().history().undo_count() > 0; static_cast<void>(script.editor().undo())) {
     undone.emplace(script.editor().history().next_undo());
   }
-  EXPECT_EQ(undone.size(), std::variant_size_v<Command>) << testing::PrintToString(undone);
+  EXPECT_EQ(undone.size(), std::variant_size_v<CommandTypes>) << testing::PrintToString(undone);
 }
 
 // An hour's worth of strokes that are never cleared: a step keeps what it changed.

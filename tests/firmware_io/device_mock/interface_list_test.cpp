@@ -9,7 +9,7 @@
 #include "firmware_io/device/live_tablet.h"
 #include "tests/support/hands/mock_system.h"
 #include "tests/support/hands/pen_reports.h"
-#include "ui/cli/command_line.h"
+#include "ui/cli/parser/command_line.h"
 
 // The preloaded library comes before the sanitizer's; that is known and does no harm.
 extern "C" const char* __asan_default_options() { return "verify_asan_link_order=0"; }

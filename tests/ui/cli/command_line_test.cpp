@@ -1,4 +1,4 @@
-#include "ui/cli/command_line.h"
+#include "ui/cli/parser/command_line.h"
 
 #include "tests/support/command_run.h"
 #include "ui/cli/commands.h"

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "ui/cli/command_line.h"
+#include "ui/cli/parser/command_line.h"
 
 namespace penpose::files {
 namespace {

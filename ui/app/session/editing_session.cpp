@@ -14,13 +14,10 @@ namespace {
 bool solves(const replay::SessionLine& line) {
   const auto* performed = std::get_if<replay::Performed>(&line);
   if (performed == nullptr) return std::holds_alternative<replay::TabletGone>(line);
-  return std::holds_alternative<document::DragTarget>(performed->command) ||
-         std::holds_alternative<document::DrawTarget>(performed->command) ||
-         std::holds_alternative<document::PullTarget>(performed->command) ||
-         std::holds_alternative<document::SolvePose>(performed->command) ||
-         std::holds_alternative<document::TakeReading>(performed->command) ||
-         std::holds_alternative<document::DrawFaceLine>(performed->command) ||
-         std::holds_alternative<document::NameFaceLine>(performed->command);
+  return performed->command.holds<document::DragTarget>() || performed->command.holds<document::DrawTarget>() ||
+         performed->command.holds<document::PullTarget>() || performed->command.holds<document::SolvePose>() ||
+         performed->command.holds<document::TakeReading>() || performed->command.holds<document::DrawFaceLine>() ||
+         performed->command.holds<document::NameFaceLine>();
 }
 
 /// The curve that has another target than before; null: none.
@@ -115,9 +112,8 @@ bool EditingSession::perform(const document::Command& command) {
   const document::Document before = document();
   const replay::SessionLine line = replay::Performed{command};
   if (!act(line)) return false;
-  const bool poses = std::holds_alternative<document::SetParameters>(command) ||
-                     std::holds_alternative<document::ResetParameters>(command) ||
-                     std::holds_alternative<document::SuggestRest>(command) || solves(line);
+  const bool poses = command.holds<document::SetParameters>() || command.holds<document::ResetParameters>() ||
+                     command.holds<document::SuggestRest>() || solves(line);
   if (poses) follow_habits(before, solves(line));
   return true;
 }

@@ -31,8 +31,8 @@ document::DrawnTarget seen_from(const document::DrawnTarget& target, const docum
 }
 
 std::optional<document::CurveId> curve_of(const document::Command& command) {
-  if (const auto* drawn = std::get_if<document::DrawTarget>(&command)) return drawn->curve;
-  if (const auto* over = std::get_if<document::OversketchTarget>(&command)) return over->curve;
+  if (const auto* drawn = command.get_if<document::DrawTarget>()) return drawn->curve;
+  if (const auto* over = command.get_if<document::OversketchTarget>()) return over->curve;
   return std::nullopt;
 }
 
@@ -47,7 +47,7 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
   if (curve == nullptr) return;
   start(document, *curve, view);
   whole_.reset();
-  if (std::holds_alternative<document::OversketchTarget>(*command)) before_ = curve->target;
+  if (command->holds<document::OversketchTarget>()) before_ = curve->target;
 }
 
 void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,

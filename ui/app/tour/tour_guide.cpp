@@ -30,9 +30,9 @@ struct Drawn {
 };
 
 Drawn drawn_by(const Command& command) {
-  if (const auto* one = std::get_if<document::DrawReference>(&command)) return {&one->view, &one->line};
-  if (const auto* one = std::get_if<document::DrawTarget>(&command)) return {&one->view, &one->line};
-  if (const auto* one = std::get_if<document::SketchCurve>(&command)) {
+  if (const auto* one = command.get_if<document::DrawReference>()) return {&one->view, &one->line};
+  if (const auto* one = command.get_if<document::DrawTarget>()) return {&one->view, &one->line};
+  if (const auto* one = command.get_if<document::SketchCurve>()) {
     const bool lasso = one->role == articulation::CurveRole::general || one->role == articulation::CurveRole::specific;
     return {&one->view, &one->line, lasso};
   }
@@ -96,7 +96,7 @@ constexpr int k_times_nearer = 4;
 
 /// The tool that draws what a command draws.
 drawing::ToolKind tool_for(const Command& command) {
-  if (std::holds_alternative<document::SketchCurve>(command)) return drawing::ToolKind::articulate;
+  if (command.holds<document::SketchCurve>()) return drawing::ToolKind::articulate;
   return drawing::ToolKind::pose;
 }
 
@@ -138,7 +138,7 @@ void TourGuide::begin_step(std::size_t commands) {
   const Command* command = wanted();
   if (command == nullptr) return;
   bring_into_sight(ghost_);
-  if (std::holds_alternative<document::SetParameters>(*command)) parts_.panels.controls_tab = true;
+  if (command->holds<document::SetParameters>()) parts_.panels.controls_tab = true;
 }
 
 std::vector<ModelPoint> TourGuide::line_of(std::size_t step) const {
@@ -160,7 +160,7 @@ bool TourGuide::ghost_closed() const {
 
 std::optional<double> TourGuide::asked_time() const {
   const Command* command = wanted();
-  const auto* to = command != nullptr ? std::get_if<document::GoToTime>(command) : nullptr;
+  const auto* to = command != nullptr ? command->get_if<document::GoToTime>() : nullptr;
   return to != nullptr ? std::optional(to->time_s) : std::nullopt;
 }
 
@@ -174,11 +174,10 @@ std::string TourGuide::pointed() const {
     if (parts_.editing.editor().tool().kind == kind) return {};
     return std::string(info(kind == drawing::ToolKind::pose ? Action::tool_pose : Action::tool_articulate).label);
   }
-  if (std::holds_alternative<document::BeginDeformer>(command)) return std::string(info(Action::tool_articulate).label);
-  if (std::holds_alternative<document::SetKey>(command)) return std::string(info(Action::key_pose).label);
-  if (std::holds_alternative<document::GoToTime>(command)) return "tour time";
-  if (std::holds_alternative<document::SetParameters>(command))
-    return "slider " + last_control(parts_.editing.document());
+  if (command.holds<document::BeginDeformer>()) return std::string(info(Action::tool_articulate).label);
+  if (command.holds<document::SetKey>()) return std::string(info(Action::key_pose).label);
+  if (command.holds<document::GoToTime>()) return "tour time";
+  if (command.holds<document::SetParameters>()) return "slider " + last_control(parts_.editing.document());
   return {};
 }
 
@@ -210,7 +209,7 @@ TourGuide::Answer TourGuide::judge_drawn() const {
   std::vector<PxPoint> line;
   double within = k_feature_px;
   std::span<const ModelPoint> from;
-  if (std::holds_alternative<document::DrawReference>(command)) {
+  if (command.holds<document::DrawReference>()) {
     const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
                                    [](const auto& curve) { return curve->role == document::PoseCurveRole::reference; });
     if (last == document.curves.rend()) return {};
@@ -222,7 +221,7 @@ TourGuide::Answer TourGuide::judge_drawn() const {
       if (i < (*last)->aside.size()) points.back() += (*last)->aside[i];
     }
     line = seen(points, view);
-  } else if (std::holds_alternative<document::DrawTarget>(command)) {
+  } else if (command.holds<document::DrawTarget>()) {
     const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
                                    [](const auto& curve) { return curve->target.has_value(); });
     if (last == document.curves.rend()) return {};
@@ -230,7 +229,7 @@ TourGuide::Answer TourGuide::judge_drawn() const {
     line = (*last)->target->line;
     within = k_target_px;
     from = ghost_before_;
-  } else if (const auto* sketched = std::get_if<document::SketchCurve>(&command)) {
+  } else if (const auto* sketched = command.get_if<document::SketchCurve>()) {
     const std::string control = last_control(document);
     const bool target = sketched->role == articulation::CurveRole::target;
     if (target == (document.pending != nullptr)) return {false, "That was another line of the control"};
@@ -269,21 +268,21 @@ TourGuide::Answer TourGuide::judge() const {
   const Command& command = *wanted();
   const document::Document& document = parts_.editing.document();
   if (drawn_by(command).line != nullptr) return judge_drawn();
-  if (const auto* to = std::get_if<document::GoToTime>(&command)) {
+  if (const auto* to = command.get_if<document::GoToTime>()) {
     const int rate = parts_.playback.rate();
     if (std::abs(document.time_s - to->time_s) <= k_near_s) return {true, {}};
     return {false,
             "That is frame " + frame_text(document.time_s, rate) + ": go to frame " + frame_text(to->time_s, rate),
             false};
   }
-  if (std::holds_alternative<document::SetParameters>(command)) {
+  if (command.holds<document::SetParameters>()) {
     const auto number = rig::find_parameter(document.model->rig->parameters(), last_control(document));
     if (!number) return {false, "The control is gone: Undo brings it back", false};
     const rig::Parameter& parameter = document.model->rig->parameters()[*number];
     if (document.pose[*number] >= k_pulled * parameter.maximum) return {true, {}};
     return {false, "Further to the right: to the slider's end", false};
   }
-  if (const auto* key = std::get_if<document::SetKey>(&command); key != nullptr && key->time_s > 0) {
+  if (const auto* key = command.get_if<document::SetKey>(); key != nullptr && key->time_s > 0) {
     const auto& keys = document.timeline->keys;
     const bool later = keys.size() > 1 && keys.back().time_s > k_near_s;
     return {later, later ? ""
@@ -359,22 +358,22 @@ void TourGuide::skip() {
   again_.clear();
   if (due.press) return parts_.actions.run(*due.press);
   const document::Document& document = parts_.editing.document();
-  if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return parts_.actions.run(Action::tool_articulate);
-  if (std::holds_alternative<document::SetKey>(*due.wanted)) return parts_.actions.run(Action::key_pose);
-  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return parts_.playback.go_to(to->time_s);
+  if (due.wanted->holds<document::BeginDeformer>()) return parts_.actions.run(Action::tool_articulate);
+  if (due.wanted->holds<document::SetKey>()) return parts_.actions.run(Action::key_pose);
+  if (const auto* to = due.wanted->get_if<document::GoToTime>()) return parts_.playback.go_to(to->time_s);
   Command command = *due.wanted;
-  if (auto* one = std::get_if<document::SetParameters>(&command)) {
+  if (auto* one = command.get_if<document::SetParameters>()) {
     if (!one->values.empty()) one->values.front().name = last_control(document);
   }
   // Drawn as the user sees it, so that what comes after it fits.
   const document::View& view = parts_.editing.editor().view();
   const auto line = seen(ghost_, view);
-  if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line};
-  if (auto* one = std::get_if<document::SketchCurve>(&command)) {
+  if (auto* one = command.get_if<document::DrawReference>()) *one = {view, line};
+  if (auto* one = command.get_if<document::SketchCurve>()) {
     one->view = view;
     one->line = line;
   }
-  if (auto* one = std::get_if<document::DrawTarget>(&command)) {
+  if (auto* one = command.get_if<document::DrawTarget>()) {
     const auto waits = std::find_if(document.curves.begin(), document.curves.end(), [](const auto& curve) {
       return curve->role == document::PoseCurveRole::reference && !curve->target;
     });

@@ -54,8 +54,8 @@ CurveKind kind_of(const WindowTool& window, const drawing::Tool& tool, const doc
   if (window.line != nullptr) return window.line({document, tool});
   const auto command = drawing::command_of(document, tool, view, stroke, false);
   if (!command) return CurveKind::reference;
-  if (std::holds_alternative<document::DrawReference>(*command)) return CurveKind::reference;
-  if (std::holds_alternative<document::DrawConstraint>(*command)) return CurveKind::constraint;
+  if (command->holds<document::DrawReference>()) return CurveKind::reference;
+  if (command->holds<document::DrawConstraint>()) return CurveKind::constraint;
   return CurveKind::target;
 }
 

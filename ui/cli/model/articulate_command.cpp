@@ -230,18 +230,18 @@ int articulate(const ArticulateArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, ArticulateArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "Model to articulate")->required();
-  command.add_option("--sketch", arguments.sketch, "JSON file of strokes")->required();
+void add_options(const Command& command, ArticulateArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model to articulate").required();
+  command.add_option("--sketch", arguments.sketch, "JSON file of strokes").required();
   command.add_option("-o", arguments.out, "Write the articulated model, " + io::extensions_that_keep_everything())
-      ->required();
+      .required();
   command.add_flag("--json", arguments.json, "Print one JSON object");
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--preset", [&arguments](const std::string& preset) { arguments.paper = preset == "paper"; },
           "default: weights that fall off over the surface, and of the ways of moving the one that distorts it least. "
           "paper: as published in 2006")
-      ->check(CLI::IsMember({"default", "paper"}));
+      .one_of({"default", "paper"});
   add_orientation_options(command, arguments.orientation);
   add_tolerance_option(command, arguments.glb);
 }

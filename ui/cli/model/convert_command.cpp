@@ -96,19 +96,19 @@ int run_convert(const ConvertArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, ConvertArguments& arguments) {
-  command.add_option("IN", arguments.in, io::names_read() + " file")->required();
+void add_options(const Command& command, ConvertArguments& arguments) {
+  command.add_option("IN", arguments.in, io::names_read() + " file").required();
   command
       .add_option("OUT", arguments.out,
                   io::extensions_to_write() + " file to write; .csv: the blend shapes as Live Link Face writes them")
-      ->required();
+      .required();
   command.add_option("--shapes", arguments.shapes,
                      "Files, or folders of files, that each show one blend shape; their names become its name");
   command.add_option("--set", arguments.assignments,
                      "NAME=VALUE: a parameter of the pose, or an expression; may be given many times");
   command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
-      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
-      ->capture_default_str();
+      .check(number_range(0.1, 1000.0), "0.1 to 1000")
+      .show_default();
   add_orientation_options(command, arguments.orientation);
   add_tolerance_option(command, arguments.write);
 }

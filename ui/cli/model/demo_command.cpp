@@ -148,8 +148,8 @@ int run_demo_command(const DemoArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, DemoArguments& arguments) {
-  command.add_option("-o", arguments.folder, "Folder to write to")->capture_default_str();
+void add_options(const Command& command, DemoArguments& arguments) {
+  command.add_option("-o", arguments.folder, "Folder to write to").show_default();
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

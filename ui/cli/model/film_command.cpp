@@ -201,34 +201,37 @@ int run_film(const Options& options) {
   return k_success;
 }
 
-void add_frame_options(CLI::App& command, Options& options) {
-  const auto frame = CLI::Validator(whole_range(0, k_most_frames), "0 to 1000000");
+void add_frame_options(const Command& command, Options& options) {
+  const Check frame = whole_range(0, k_most_frames);
+  const char* const frames = "0 to 1000000";
   command.add_option("--fps", options.fps, "frames a second")
-      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
-      ->capture_default_str();
-  command.add_option("--from", options.from, "number of the first frame (default: 0)")->check(frame);
-  command.add_option("--to", options.to, "number of the last frame (default: that of the last key)")->check(frame);
+      .check(number_range(0.1, 1000.0), "0.1 to 1000")
+      .show_default();
+  command.add_option("--from", options.from, "number of the first frame (default: 0)").check(frame, frames);
+  command.add_option("--to", options.to, "number of the last frame (default: that of the last key)")
+      .check(frame, frames);
   command
       .add_option("--sheet", options.sheet,
                   "one picture with many frames and their numbers: the keyed ones (keys), or every so many (a number); "
                   "--size is that of each")
-      ->check(CLI::Validator(check_sheet, "keys|N"));
+      .check(check_sheet, "keys|N");
   command.add_flag("--numbers", options.numbers, "draw each frame's number into its picture");
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(const Command& command, Options& options) {
   command.add_option("MODEL", options.model, "project, or a model with an animation: " + io::names_read() + " file")
-      ->required();
+      .required();
   add_frame_options(command, options);
   add_picture_options(command, options.picture);
   command.add_option("--crop", options.crop, "film a part of the picture of --size alone: WIDTHxHEIGHT+LEFT+TOP in px")
-      ->check(CLI::Validator(check_part, "WxH+X+Y"));
-  auto* sound = command.add_option("--sound", options.sound, "WAV, FLAC or OGG file in place of the project's sound");
+      .check(check_part, "WxH+X+Y");
+  const Option sound =
+      command.add_option("--sound", options.sound, "WAV, FLAC or OGG file in place of the project's sound");
   command.add_option("--sound-offset", options.sound_offset_s, "second of the timeline at which --sound begins")
-      ->check(CLI::Validator(number_range(-36000, 36000), "-36000 to 36000"))
-      ->needs(sound)
-      ->capture_default_str();
-  command.add_flag("--silent", options.silent, "without the project's sound")->excludes(sound);
+      .check(number_range(-36000, 36000), "-36000 to 36000")
+      .needs(sound)
+      .show_default();
+  command.add_flag("--silent", options.silent, "without the project's sound").excludes(sound);
   add_orientation_options(command, options.orientation);
   add_draw_option(command, options.draw);
   command.add_flag("--wireframe", options.wireframe, "draw the edges too");
@@ -239,7 +242,7 @@ void add_options(CLI::App& command, Options& options) {
   command
       .add_option("-o,--output", options.output,
                   "file to write: .mp4, .webm or .gif through ffmpeg, .png for pictures (OUT0000.png, ...)")
-      ->required();
+      .required();
 }
 
 }  // namespace

@@ -284,8 +284,8 @@ int run_info(const InfoArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, InfoArguments& arguments) {
-  command.add_option("MODEL", arguments.model, io::names_read() + " file")->required();
+void add_options(const Command& command, InfoArguments& arguments) {
+  command.add_option("MODEL", arguments.model, io::names_read() + " file").required();
   command.add_flag("--json", arguments.json, "print one JSON object");
   add_orientation_options(command, arguments.orientation);
 }

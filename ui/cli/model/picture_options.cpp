@@ -34,16 +34,16 @@ std::string check_size(const std::string& text) {
 
 }  // namespace
 
-void add_picture_options(CLI::App& command, PictureOptions& options) {
+void add_picture_options(const Command& command, PictureOptions& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture in px")
-      ->check(CLI::Validator(check_size, "WxH"))
-      ->capture_default_str();
-  auto* camera =
+      .check(check_size, "WxH")
+      .show_default();
+  const Option camera =
       command.add_option("--camera", options.camera, R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
   command.add_option("--view", options.view, "where to look from")
-      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top", "face"}))
-      ->capture_default_str()
-      ->excludes(camera);
+      .one_of({"front", "side", "three-quarter", "back", "top", "face"})
+      .show_default()
+      .excludes(camera);
 }
 
 geometry::Viewport size_of(const PictureOptions& options) { return *parse_size(options.size); }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "core/base/result.h"
 #include "core/document/model.h"
 #include "core/geometry/camera.h"
+#include "ui/cli/parser/command.h"
 
 namespace penpose::cli {
 
@@ -17,7 +17,7 @@ struct PictureOptions {
 };
 
 /// Adds --size, --camera and --view; their defaults are what `options` says now.
-void add_picture_options(CLI::App& command, PictureOptions& options);
+void add_picture_options(const Command& command, PictureOptions& options);
 
 /// The size that --size says, which was checked when it was parsed.
 [[nodiscard]] geometry::Viewport size_of(const PictureOptions& options);

@@ -251,40 +251,42 @@ int run_render(const Options& options) {
   return k_success;
 }
 
-void add_options(CLI::App& command, Options& options) {
-  command.add_option("MODEL", options.model, io::names_read() + " file")->required();
+void add_options(const Command& command, Options& options) {
+  command.add_option("MODEL", options.model, io::names_read() + " file").required();
   command.add_option("--set", options.assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
-      ->allow_extra_args(false);
-  auto* time = command.add_option("--time", options.time_s, "second of the model's first animation, or of --animation")
-                   ->check(CLI::Validator(number_range(-1e6, 1e6), "-1000000 to 1000000"));
+      .one_value_a_time();
+  const Option time =
+      command.add_option("--time", options.time_s, "second of the model's first animation, or of --animation")
+          .check(number_range(-1e6, 1e6), "-1000000 to 1000000");
   command.add_option("--animation", options.animation,
                      "name of the animation of --time and --frames, or its number from 1 (default: the first); at its "
                      "first moment where neither is given");
-  auto* frames =
+  const Option frames =
       command
           .add_flag("--frames", options.frames,
                     "one picture a frame of the animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
                     "at the end of OUT says how many digits; the folder is made if it is not there")
-          ->excludes(time);
+          .excludes(time);
   command.add_option("--fps", options.fps, "frames a second of --frames")
-      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
-      ->capture_default_str();
+      .check(number_range(0.1, 1000.0), "0.1 to 1000")
+      .show_default();
   add_orientation_options(command, options.orientation);
   add_picture_options(command, options.picture);
   add_draw_option(command, options.draw);
-  auto* wireframe = command.add_flag("--wireframe", options.wireframe, "draw the edges too");
-  auto* clay = command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
-  auto* plain = command.add_flag("--plain", options.plain,
-                                 "the file's materials only: do not tell eyes and teeth apart by shape");
-  auto* curves = command.add_flag("--curves", options.curves, "draw the curves that the model carries");
-  auto* cases = command.add_option("--cases", options.cases, "file of posing cases; draws the curves of one");
-  auto* case_name = command.add_option("--case", options.case_name, "which case of the file");
-  cases->needs(case_name);
-  case_name->needs(cases);
-  auto* lines = command.add_flag("--lines", options.lines,
-                                 "draw lines alone, as an SVG: the features of the face by their names, and contours");
-  for (CLI::Option* other : {frames, wireframe, clay, plain, curves, cases}) lines->excludes(other);
-  command.add_option("-o,--output", options.output, "PNG file to write, or SVG with --lines")->required();
+  const Option wireframe = command.add_flag("--wireframe", options.wireframe, "draw the edges too");
+  const Option clay =
+      command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
+  const Option plain = command.add_flag("--plain", options.plain,
+                                        "the file's materials only: do not tell eyes and teeth apart by shape");
+  const Option curves = command.add_flag("--curves", options.curves, "draw the curves that the model carries");
+  const Option cases = command.add_option("--cases", options.cases, "file of posing cases; draws the curves of one");
+  const Option case_name = command.add_option("--case", options.case_name, "which case of the file");
+  cases.needs(case_name);
+  case_name.needs(cases);
+  const Option lines = command.add_flag(
+      "--lines", options.lines, "draw lines alone, as an SVG: the features of the face by their names, and contours");
+  for (const Option& other : {frames, wireframe, clay, plain, curves, cases}) lines.excludes(other);
+  command.add_option("-o,--output", options.output, "PNG file to write, or SVG with --lines").required();
 }
 
 }  // namespace

@@ -246,38 +246,37 @@ int draw(const DrawArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, DrawArguments& arguments) {
-  command
-      .add_option("MODEL", arguments.model, "model or project with a face, or with anything that moves its contours")
-      ->required();
+void add_options(const Command& command, DrawArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "model or project with a face, or with anything that moves its contours")
+      .required();
   command
       .add_option("DRAWING", arguments.drawings,
                   "lines of a face, in any order and place: SVG, or a picture of them (PNG, JPEG, WebP); several, or a "
                   "folder of them in the order of their names, are keys on the timeline")
-      ->required();
+      .required();
   command
       .add_option("--every", arguments.every_s,
                   "seconds from one key to the next; the first is at 0, or so long after "
                   "the last key that MODEL has")
-      ->check(CLI::Validator(number_range(0.001, 3600), "0.001 to 3600"))
-      ->capture_default_str();
-  auto* silhouette = command.add_flag(
+      .check(number_range(0.001, 3600), "0.001 to 3600")
+      .show_default();
+  const Option silhouette = command.add_flag(
       "--silhouette", arguments.silhouette,
       "all lines are contours of the model, of a body too, as `penpose render --lines` draws them; without it those "
       "are whose id begins with silhouette");
   command
       .add_option("--neutral", arguments.neutral,
                   "the same hand's drawing of the face at rest, in the same view: takes its proportions out")
-      ->excludes(silhouette);
+      .excludes(silhouette);
   command
       .add_option("--curves", arguments.curves,
                   "JSON file of the model's feature curves; without it the model's own, or those found by the shape of "
                   "the face")
-      ->excludes(silhouette);
+      .excludes(silhouette);
   command
       .add_option("--yaw", arguments.yaw_degrees,
                   "degrees about +Y from which the drawing sees the model; without it from its front")
-      ->check(CLI::Validator(number_range(-360, 360), "-360 to 360"));
+      .check(number_range(-360, 360), "-360 to 360");
   command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
   command.add_flag("--json", arguments.json, "print one JSON object");
 }

@@ -223,31 +223,37 @@ int pose(const PoseArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, PoseArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "Model with blend shapes or joints")->required();
+void add_options(const Command& command, PoseArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model with blend shapes or joints").required();
   add_orientation_options(command, arguments.orientation);
-  command.add_option("--cases", arguments.cases, "JSON file of posing cases")->required();
+  command.add_option("--cases", arguments.cases, "JSON file of posing cases").required();
   command.add_option("--case", arguments.name, "Only the case of this name");
-  command.add_option("--free", "Parameters that may move: those of the case, or all (default)")
-      ->check(CLI::IsMember({"all", "case"}))
-      ->each([&arguments](const std::string& set) {
-        arguments.free = set == "all" ? tracking::FreeSet::all : tracking::FreeSet::of_case;
-      });
-  command.add_option("--form", "Targets as points, one a vertex (default), or as a drawn line")
-      ->check(CLI::IsMember({"points", "drawn"}))
-      ->each([&arguments](const std::string& form) {
-        arguments.form = form == "points" ? io::TargetForm::points : io::TargetForm::drawn;
-      });
+  command
+      .add_option(
+          "--free",
+          [&arguments](const std::string& set) {
+            arguments.free = set == "all" ? tracking::FreeSet::all : tracking::FreeSet::of_case;
+          },
+          "Parameters that may move: those of the case, or all (default)")
+      .one_of({"all", "case"});
+  command
+      .add_option(
+          "--form",
+          [&arguments](const std::string& form) {
+            arguments.form = form == "points" ? io::TargetForm::points : io::TargetForm::drawn;
+          },
+          "Targets as points, one a vertex (default), or as a drawn line")
+      .one_of({"points", "drawn"});
   command
       .add_option(
           "--preset",
+          [&arguments](const std::string& preset) {
+            arguments.preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
+          },
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
           "the controls that move cost. exact: the sum of distances, to its least. paper: the same, by the "
           "single simplex of 2006")
-      ->check(CLI::IsMember({"default", "exact", "paper"}))
-      ->each([&arguments](const std::string& preset) {
-        arguments.preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
-      });
+      .one_of({"default", "exact", "paper"});
   command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);

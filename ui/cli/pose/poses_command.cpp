@@ -157,27 +157,27 @@ int poses_command(const PosesArguments& arguments) {
   return arguments.keep.empty() ? take(arguments, *document) : keep(arguments, *document);
 }
 
-void add_options(CLI::App& command, PosesArguments& arguments) {
+void add_options(const Command& command, PosesArguments& arguments) {
   command.add_option("MODEL", arguments.model, "model, project or session; without --keep and --take poses are listed");
   command.add_option("--folder", arguments.folder,
                      "the library; without it $XDG_DATA_HOME/penpose/poses or ~/.local/share/penpose/poses");
-  auto* keep = command.add_option("--keep", arguments.keep, "keep the pose of MODEL under this name");
+  const Option keep = command.add_option("--keep", arguments.keep, "keep the pose of MODEL under this name");
   command.add_option("--set", arguments.assignments, "NAME=VALUE: a control of the kept pose; may be given many times")
-      ->allow_extra_args(false)
-      ->needs(keep);
-  auto* take = command.add_option("--take", arguments.take,
-                                  "pose MODEL as this pose of the library, by its name, or as this file (.json)");
-  take->excludes(keep);
+      .one_value_a_time()
+      .needs(keep);
+  const Option take = command.add_option(
+      "--take", arguments.take, "pose MODEL as this pose of the library, by its name, or as this file (.json)");
+  take.excludes(keep);
   command
       .add_option("--by", arguments.by,
                   "names: values of the same controls; effects: what controls do; lines: how it was drawn; without it "
                   "the first of them that fits")
-      ->check(CLI::IsMember({"names", "effects", "lines"}))
-      ->needs(take);
+      .one_of({"names", "effects", "lines"})
+      .needs(take);
   command.add_option("--part", arguments.part, "what of the pose is taken")
-      ->check(CLI::IsMember({"all", "brows", "eyes", "mouth"}))
-      ->capture_default_str();
-  command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)")->needs(take);
+      .one_of({"all", "brows", "eyes", "mouth"})
+      .show_default();
+  command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)").needs(take);
   command.add_flag("--json", arguments.json, "print JSON");
 }
 

@@ -100,7 +100,7 @@ int serve(const ServeArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, ServeArguments& arguments) {
+void add_options(const Command& command, ServeArguments& arguments) {
   command.footer(k_help);
   command.add_option("--session", arguments.session, "Record the conversation as a session, a file that is not there");
 }

@@ -242,38 +242,39 @@ int suggest(const SuggestArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, SuggestArguments& arguments) {
+void add_options(const Command& command, SuggestArguments& arguments) {
   command.add_option("MODEL", arguments.model, "model, project or session (.session) whose pose is half made")
-      ->required();
+      .required();
   command
       .add_option("--keys", arguments.keys,
                   "learn from the poses of this project, session or animated model, by the names of its parameters, "
                   "in place of MODEL's own; may be given many times")
-      ->allow_extra_args(false);
+      .one_value_a_time();
   command.add_option("--every", arguments.every, "take every so many keys: those of a track are nearly all alike")
-      ->check(CLI::Validator(whole_range(1, 1'000'000), "1 to 1000000"))
-      ->capture_default_str();
-  auto* set =
+      .check(whole_range(1, 1'000'000), "1 to 1000000")
+      .show_default();
+  const Option set =
       command
           .add_option("--set", arguments.assignments, "NAME=VALUE: a parameter that is posed; may be given many times")
-          ->allow_extra_args(false);
+          .one_value_a_time();
   command
       .add_option("--hold", arguments.holds,
                   "a parameter that stays, beside what is posed and locked; mouth* holds all that begin so; may be "
                   "given many times")
-      ->allow_extra_args(false);
+      .one_value_a_time();
   command
       .add_option("--strength", arguments.strength,
                   "share of the way, 0 to 1; without it what would have served the keys best, each left out in turn")
-      ->check(CLI::Validator(number_range(0, 1), "0 to 1"));
-  auto* out = command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
+      .check(number_range(0, 1), "0 to 1");
+  const Option out =
+      command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
   command
       .add_flag("--leave-one-out", arguments.leave_one_out,
                 "leave each key out, hold of it what --hold says (else the half of its controls that moves the model "
                 "most), suggest the rest and print what error is left, in % of how far its pose moves the whole "
                 "model, beside not moving the rest and beside the mean of the other keys")
-      ->excludes(set)
-      ->excludes(out);
+      .excludes(set)
+      .excludes(out);
   command.add_flag("--json", arguments.json, "print one JSON object");
 }
 

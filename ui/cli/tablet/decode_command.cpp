@@ -306,15 +306,16 @@ int decode_trace(const DecodeOptions& options) {
   return DecodeRun(options, &*own).run();
 }
 
-void add_options(CLI::App& command, DecodeOptions& options) {
+void add_options(const Command& command, DecodeOptions& options) {
   command
       .add_option("trace", options.trace,
                   "Recording of a tablet: of penpose, hid-recorder, usbhid-dump, evemu, OpenTabletDriver or usbmon")
-      ->required();
-  auto* csv = command.add_flag("--csv", options.csv, "Comma-separated rows (the default)");
-  command.add_flag("--json", options.json, "One JSON object")->excludes(csv);
-  auto* pad = command.add_flag("--pad", options.pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
-  command.add_flag("--touch", options.touch, "Fingers on the tablet instead of its pen")->excludes(pad);
+      .required();
+  const Option csv = command.add_flag("--csv", options.csv, "Comma-separated rows (the default)");
+  command.add_flag("--json", options.json, "One JSON object").excludes(csv);
+  const Option pad =
+      command.add_flag("--pad", options.pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
+  command.add_flag("--touch", options.touch, "Fingers on the tablet instead of its pen").excludes(pad);
   command.add_option("--protocol", options.protocol,
                      "Read every report with this protocol, whatever the trace's device is");
   add_tablet_options(command, options.own);

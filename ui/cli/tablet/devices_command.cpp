@@ -192,18 +192,19 @@ int run_devices(const Options& options) {
   return list_live_devices(*own, options.json);
 }
 
-void add_options(CLI::App& command, Options& options) {
-  auto* known = command.add_flag("--known", options.known, "All tablets of the table, plugged in or not");
+void add_options(const Command& command, Options& options) {
+  const Option known = command.add_flag("--known", options.known, "All tablets of the table, plugged in or not");
   command.add_flag("--json", options.json, "Print one JSON object");
-  auto* rule = command.add_flag("--udev-rule", options.udev_rule,
-                                "Print the udev rule that lets whoever sits at the machine open tablets");
-  auto* install = command.add_flag("--install-udev-rule", options.install, "Install and apply that rule (as root)");
-  command.add_option("--rules-folder", options.rules_folder, "Where to install it")->needs(install);
-  auto* give_back = command.add_flag("--give-back", options.give_back,
-                                     "Bind the system's drivers to devices that have lost them, as after a crash");
-  for (auto* one : {known, rule, install, give_back}) {
-    for (auto* other : {known, rule, install, give_back}) {
-      if (one != other) one->excludes(other);
+  const Option rule = command.add_flag("--udev-rule", options.udev_rule,
+                                       "Print the udev rule that lets whoever sits at the machine open tablets");
+  const Option install =
+      command.add_flag("--install-udev-rule", options.install, "Install and apply that rule (as root)");
+  command.add_option("--rules-folder", options.rules_folder, "Where to install it").needs(install);
+  const Option give_back = command.add_flag(
+      "--give-back", options.give_back, "Bind the system's drivers to devices that have lost them, as after a crash");
+  for (const Option& one : {known, rule, install, give_back}) {
+    for (const Option& other : {known, rule, install, give_back}) {
+      if (one != other) one.excludes(other);
     }
   }
   add_tablet_options(command, options.own);

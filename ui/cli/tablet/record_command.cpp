@@ -307,11 +307,11 @@ int record(const Options& options) {
   return RecordRun(options, &*own).run();
 }
 
-void add_options(CLI::App& command, Options& options) {
-  command.add_option("-o,--output", options.output, "The trace to write")->required();
+void add_options(const Command& command, Options& options) {
+  command.add_option("-o,--output", options.output, "The trace to write").required();
   command.add_option("--device", options.device, "One device by its path, as `penpose devices` gives it");
   command.add_option("--seconds", options.seconds, "Stop after that time")
-      ->check(CLI::Validator(number_range(1e-3, 1e9), "0.001 to 1000000000"));
+      .check(number_range(1e-3, 1e9), "0.001 to 1000000000");
   add_tablet_options(command, options.own);
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
+#include "core/base/version.h"
 #include "replay/session/session_player.h"
 #include "replay/session/session_recorder.h"
 #include "ui/cli/live_option.h"
@@ -273,7 +274,7 @@ int replay_session(const ReplayArguments& arguments) {
     if (!made) return files::report(made.error(), arguments.record);
     record.emplace(std::move(made).value());
     writer.emplace([&](std::string_view text, bool sync) { return record->append(text, sync); },
-                   std::string("penpose-") + PENPOSE_VERSION);
+                   "penpose-" + std::string(base::k_version));
     recorder.emplace(*writer, [&](const std::string& path) { return find_model(arguments, path); });
   }
   std::error_code code;
@@ -334,14 +335,14 @@ int replay_session(const ReplayArguments& arguments) {
   return played->divergence ? files::report(replay::error_of(*played->divergence), arguments.session) : status;
 }
 
-void add_options(CLI::App& command, ReplayArguments& arguments) {
+void add_options(const Command& command, ReplayArguments& arguments) {
   command.add_option("SESSION", arguments.session, "Session, or any recording of a tablet that decode reads")
-      ->required();
+      .required();
   command.add_option("--model", arguments.model, "Model to draw on, when it is not where the session says");
   command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .gltf, .obj)");
   command.add_option("--png", arguments.picture, "PNG file of the last view");
   command.add_option("--stroke", arguments.strokes, "Stop after so many strokes")
-      ->check(CLI::Validator(whole_range(0, 1'000'000'000), "0 to 1000000000"));
+      .check(whole_range(0, 1'000'000'000), "0 to 1000000000");
   add_live_option(command, arguments.live);
   command.add_flag("--realtime", arguments.real_time, "At the pace of the recording");
   command.add_option("--session", arguments.record, "Write the replay down as a session of its own");

@@ -2,7 +2,7 @@
 
 namespace penpose::cli {
 
-void add_tablet_options(CLI::App& command, files::OwnTablets& own) {
+void add_tablet_options(const Command& command, files::OwnTablets& own) {
   command.add_option(files::k_tablets_option, own.file,
                      "A file of your own tablets, or a configuration of OpenTabletDriver; goes before the known ones");
   command.add_option(files::k_tablet_option, own.name,

@@ -215,8 +215,8 @@ int animate(const AnimateArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, AnimateArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "Model with controls")->required();
+void add_options(const Command& command, AnimateArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model with controls").required();
   add_orientation_options(command, arguments.orientation);
   command
       .add_option(
@@ -224,7 +224,7 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
           "OpenFace CSV (points or action units), MediaPipe landmarks or blend shapes (JSON or CSV), 68 points (.pts, "
           "a folder of them, or CSV), curves (JSON), ARKit blend shapes of Live Link Face or Audio2Face (CSV or "
           "JSON), mouth cues of Rhubarb (tsv, json, xml) or Papagayo (.dat), .vmd, or a motion of a figure (.vrma)")
-      ->required();
+      .required();
   command.add_option(
       "--map", arguments.map,
       std::string("Map file, or a bundled map: ").append(io::track_format_names("")) +
@@ -235,27 +235,27 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
   command
       .add_option("-o", arguments.out,
                   "Write the animated model, " + io::extensions_that_keep_everything() + "; its motion alone, .vrma")
-      ->required();
+      .required();
   command.add_option("--head", arguments.head, "Turn of the head: drop it or apply it (default: as the map says)")
-      ->check(CLI::IsMember({"drop", "apply"}));
+      .one_of({"drop", "apply"});
   command
       .add_option("--neutral", arguments.neutral,
                   "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
-      ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
+      .check(number_range(0, 1e6), "0 to 1000000");
   command
       .add_option("--tremor", arguments.tremor_px,
                   "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
-      ->check(CLI::Validator(number_range(0.0, 1000.0), "0 to 1000"));
+      .check(number_range(0.0, 1000.0), "0 to 1000");
   command.add_option("--smooth", arguments.smooth_s, "Smooth over so many seconds to each side, without lag")
-      ->check(CLI::Validator(number_range(0.0, 60.0), "0 to 60"))
-      ->capture_default_str();
+      .check(number_range(0.0, 60.0), "0 to 60")
+      .show_default();
   command.add_option("--confidence", arguments.least_confidence, "Hold frames of less confidence, 0 to 1")
-      ->check(CLI::Validator(number_range(0.0, 1.0), "0 to 1"))
-      ->capture_default_str();
+      .check(number_range(0.0, 1.0), "0 to 1")
+      .show_default();
   command.add_option("--fps", arguments.fps, "Frames a second, instead of the track's own times")
-      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
+      .check(number_range(0.1, 10000.0), "0.1 to 10000");
   command.add_option("--picture", arguments.picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
-      ->check(CLI::Validator(check_picture, "WxH"));
+      .check(check_picture, "WxH");
   command.add_flag("--units", arguments.units,
                    "Take what the tracker says of action units (AU12, ...) as evidence beside its points");
   command.add_flag("--json", arguments.json, "Print one JSON object");

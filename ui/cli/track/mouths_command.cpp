@@ -137,22 +137,22 @@ int speak(const MouthArguments& arguments) {
   return k_success;
 }
 
-void add_mouth_options(CLI::App& command, MouthArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "Model with controls, or a project with mouths")->required();
+void add_mouth_options(const Command& command, MouthArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model with controls, or a project with mouths").required();
   command
       .add_option("SOUND", arguments.sound,
                   "Speech (WAV, FLAC, OGG), or mouth cues of Rhubarb (tsv, json, xml) or Papagayo (.dat)")
-      ->required();
+      .required();
   command.add_option("--text", arguments.text, "What is said, in English: far more certain than hearing alone");
   command.add_option("--mouths", arguments.mouths,
                      "JSON file of mouths (default: those of the project, or what the names of controls tell)");
   command.add_option("-o", arguments.out, "Write the model with its keys, " + io::extensions_that_keep_everything());
   command.add_option("--fps", arguments.fps, "Frames a second on which keys lie")
-      ->check(CLI::Validator(number_range(1.0, 1000.0), "1 to 1000"))
-      ->capture_default_str();
+      .check(number_range(1.0, 1000.0), "1 to 1000")
+      .show_default();
   command.add_option("--lead", arguments.lead_s, "How long before its sound a mouth is there at least, s")
-      ->check(CLI::Validator(number_range(0.0, 1.0), "0 to 1"))
-      ->capture_default_str();
+      .check(number_range(0.0, 1.0), "0 to 1")
+      .show_default();
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);
 }

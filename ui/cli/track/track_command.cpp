@@ -163,16 +163,16 @@ int track(const TrackArguments& arguments) {
   return k_success;
 }
 
-void add_options(CLI::App& command, TrackArguments& arguments) {
-  command.add_option("PICTURES", arguments.pictures, "PNG or PGM files, or folders of them, in order")->required();
+void add_options(const Command& command, TrackArguments& arguments) {
+  command.add_option("PICTURES", arguments.pictures, "PNG or PGM files, or folders of them, in order").required();
   command
       .add_option("--labels", arguments.labels,
                   R"(JSON file: {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}, ...]})")
-      ->required();
-  command.add_option("-o", arguments.out, "Track of curves to write, .json, for penpose animate")->required();
+      .required();
+  command.add_option("-o", arguments.out, "Track of curves to write, .json, for penpose animate").required();
   command.add_option("--fps", arguments.fps, "Frames a second of the sequence")
-      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"))
-      ->capture_default_str();
+      .check(number_range(0.1, 10000.0), "0.1 to 10000")
+      .show_default();
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 #include "ui/files/process/kept_memory.h"
 
+#include <cstdlib>
+#ifdef __GLIBC__
 #include <malloc.h>
+#endif
 
 namespace penpose::files {
 
 // Both are glibc's own; other C libraries keep little by themselves.
 
 void keep_little_memory() {
-#if PENPOSE_HAS_MALLOPT
+#ifdef __GLIBC__
   constexpr int k_large = 4 << 20;
   ::mallopt(M_ARENA_MAX, 1);
   ::mallopt(M_MMAP_THRESHOLD, k_large);
@@ -15,7 +18,7 @@ void keep_little_memory() {
 }
 
 void give_back_memory() {
-#if PENPOSE_HAS_MALLOC_TRIM
+#ifdef __GLIBC__
   ::malloc_trim(0);
 #endif
 }

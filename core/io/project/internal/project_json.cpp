@@ -112,10 +112,9 @@ Problem read_pending(const json::Json& project, const std::string& pointer, Docu
     const json::Json& text = (*pending)[i];
     const auto command = document::parse_command(text.is_string() ? text.get<std::string>() : std::string());
     if (!command) return project_error(command.error().what, json::child(here, i));
-    const bool begins = std::holds_alternative<document::BeginDeformer>(*command) ||
-                        std::holds_alternative<document::BeginCorrection>(*command);
-    const auto* draws = std::get_if<document::SketchCurve>(&*command);
-    const bool takes = std::holds_alternative<document::TakeRegion>(*command);
+    const bool begins = command->holds<document::BeginDeformer>() || command->holds<document::BeginCorrection>();
+    const auto* draws = command->get_if<document::SketchCurve>();
+    const bool takes = command->holds<document::TakeRegion>();
     const bool fits = i == 0 ? begins : takes || (draws != nullptr && draws->role != articulation::CurveRole::target);
     if (!fits)
       return project_error("the beginning of a deformer and its first curves were expected", json::child(here, i));

@@ -89,7 +89,7 @@ std::vector<Command> full_commands() {
 
 template <std::size_t... I>
 std::vector<Command> default_commands(std::index_sequence<I...>) {
-  return {Command(std::variant_alternative_t<I, Command>{})...};
+  return {Command(std::variant_alternative_t<I, CommandTypes>{})...};
 }
 
 TEST(CommandText, EveryCommandReadsBackAsItWas) {
@@ -102,19 +102,19 @@ TEST(CommandText, EveryCommandReadsBackAsItWas) {
     ASSERT_TRUE(again.ok()) << text << ": " << again.error().line();
     EXPECT_EQ(*again, command) << text;
   }
-  EXPECT_EQ(seen.size(), std::variant_size_v<Command>) << "a command without an example here";
+  EXPECT_EQ(seen.size(), std::variant_size_v<CommandTypes>) << "a command without an example here";
 }
 
 TEST(CommandText, MembersAtTheirDefaultsAreLeftOut) {
   std::set<std::string> names;
   std::set<std::string_view> words;
-  for (const Command& command : default_commands(std::make_index_sequence<std::variant_size_v<Command>>())) {
+  for (const Command& command : default_commands(std::make_index_sequence<std::variant_size_v<CommandTypes>>())) {
     EXPECT_EQ(to_text(command), name_of(command));
     EXPECT_EQ(parse_command(to_text(command)).value(), command);
     names.insert(to_text(command));
     words.insert(called(command).words);
   }
-  EXPECT_EQ(names.size(), std::variant_size_v<Command>) << "two commands have one name";
+  EXPECT_EQ(names.size(), std::variant_size_v<CommandTypes>) << "two commands have one name";
   EXPECT_EQ(words.size(), names.size()) << "an animator cannot tell two commands apart";
   EXPECT_EQ(words.count(""), 0U) << "an animator has no words for a command";
 }

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/edition.h"
-#include "ui/cli/command_line.h"
+#include "ui/cli/parser/command_line.h"
 
 namespace penpose::tests {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,10 +37,10 @@ class KnowingHand {
       return;
     }
     const document::Command command =
-        make_named(k_commands[what], std::make_index_sequence<std::variant_size_v<document::Command>>());
+        make_named(k_commands[what], std::make_index_sequence<std::variant_size_v<document::CommandTypes>>());
     if (!script_.perform(command)) return;
-    if (std::holds_alternative<document::MirrorDeformer>(command)) drawn_.emplace("mirror");
-    if (std::holds_alternative<document::KeyPoses>(command)) drawn_.emplace("perform");
+    if (command.holds<document::MirrorDeformer>()) drawn_.emplace("mirror");
+    if (command.holds<document::KeyPoses>()) drawn_.emplace("perform");
   }
 
   /// The kinds of strokes, tools in the order of drawing::ToolKind; `none` draws nothing.
@@ -55,14 +56,14 @@ class KnowingHand {
 
   template <std::size_t... I>
   document::Command make_named(std::string_view name, std::index_sequence<I...>) {
-    document::Command out;
+    std::optional<document::Command> out;
     const auto makes = [&]<typename One>(Tag<One> one) {
       if (One::k_called.name != name) return false;
       out = make(one);
       return true;
     };
-    static_cast<void>((makes(Tag<std::variant_alternative_t<I, document::Command>>{}) || ...));
-    return out;
+    static_cast<void>((makes(Tag<std::variant_alternative_t<I, document::CommandTypes>>{}) || ...));
+    return *out;
   }
 
   document::Command make(Tag<document::SetParameters>) {
@@ -497,7 +498,7 @@ class KnowingHand {
   SplitMix random_;
   RandomHand hand_;
   /// In the order of the committed hashes, wherever the program lists them: a new one comes last.
-  static constexpr std::array<std::string_view, std::variant_size_v<document::Command>> k_commands{
+  static constexpr std::array<std::string_view, std::variant_size_v<document::CommandTypes>> k_commands{
       "set_parameters",
       "reset_parameters",
       "lock_parameters",

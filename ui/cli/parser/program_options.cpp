@@ -1,14 +1,16 @@
-#include "ui/cli/program_options.h"
+#include "ui/cli/parser/program_options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 
 #include "core/base/result.h"
+#include "core/base/version.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/draw_option.h"
 #include "ui/cli/live_option.h"
 #include "ui/cli/orientation_option.h"
+#include "ui/cli/parser/command.h"
 #include "ui/cli/screen_options.h"
 #include "ui/cli/tablet/tablet_options.h"
 
@@ -51,13 +53,29 @@ void end_with_examples(CLI::App& app, std::string_view name) {
   app.footer(text);
 }
 
+void add_window_options(const Command& command, files::WindowRequest& request) {
+  command.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")
+      .check(check_model);
+  add_orientation_options(command, request.orientation);
+  command.add_option("--session", request.session,
+                     "Where to record the session; a file that is there is not written over");
+  add_tablet_options(command, request.own);
+  add_live_option(command, request.live);
+  command.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
+  add_draw_option(command, request.draw);
+  add_screen_options(command, request);
+  // For tests and measurements.
+  command.add_option("--replay", request.replay).hidden();
+  command.add_flag("--timings", request.timings).hidden();
+}
+
 }  // namespace
 
 void add_program_options(CLI::App& app, int& status, files::WindowRequest& request, bool has_window) {
   app.description(std::string("Poses and rigs 3D characters by drawing.") +
                   (has_window ? " Without a subcommand it opens its window." : ""));
   app.require_subcommand(has_window ? 0 : 1, 1);
-  app.set_version_flag("--version", PENPOSE_VERSION);
+  app.set_version_flag("--version", std::string(base::k_version));
   for (const Subcommand& command : subcommands()) command.add(app, status);
   forbid_empty_names(app);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -65,19 +83,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
   });
   for (CLI::App* command : app.get_subcommands({})) end_with_examples(*command, command->get_name());
   end_with_examples(app, "");
-  if (!has_window) return;
-  app.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")
-      ->check(CLI::Validator(check_model, ""));
-  add_orientation_options(app, request.orientation);
-  app.add_option("--session", request.session, "Where to record the session; a file that is there is not written over");
-  add_tablet_options(app, request.own);
-  add_live_option(app, request.live);
-  app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
-  add_draw_option(app, request.draw);
-  add_screen_options(app, request);
-  // For tests and measurements.
-  app.add_option("--replay", request.replay)->group("");
-  app.add_flag("--timings", request.timings)->group("");
+  if (has_window) add_window_options(Command(app), request);
 }
 
 }  // namespace penpose::cli

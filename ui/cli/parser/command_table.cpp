@@ -1,11 +1,12 @@
-#include "ui/cli/command_table.h"
+#include "ui/cli/parser/command_table.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <span>
 
+#include "core/base/version.h"
 #include "core/io/model/model_formats.h"
-#include "ui/cli/program_options.h"
+#include "ui/cli/parser/program_options.h"
 
 namespace penpose::cli {
 namespace {
@@ -142,6 +143,6 @@ std::vector<CommandRow> command_table(bool has_window) {
   return table;
 }
 
-std::string program_version() { return std::string("penpose ") + PENPOSE_VERSION; }
+std::string program_version() { return "penpose " + std::string(base::k_version); }
 
 }  // namespace penpose::cli

@@ -1,4 +1,4 @@
-#include "ui/cli/command_line.h"
+#include "ui/cli/parser/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -7,8 +7,9 @@
 #include <string_view>
 #include <unistd.h>
 
+#include "core/base/version.h"
 #include "ui/cli/commands.h"
-#include "ui/cli/program_options.h"
+#include "ui/cli/parser/program_options.h"
 #include "ui/files/files.h"
 #include "ui/files/process/standard_streams.h"
 
@@ -26,7 +27,7 @@ int run_unguarded(int argc, const char* const* argv, const files::OpenWindow& op
     return app.exit(error) == 0 ? k_success : k_wrong_usage;
   }
   if (!open_window || !app.get_subcommands().empty()) return status;
-  request.program = std::string("penpose-") + PENPOSE_VERSION;
+  request.program = "penpose-" + std::string(base::k_version);
   if (const auto opened = open_window(request); !opened) return files::report(opened.error());
   return k_success;
 }
