@@ -36,6 +36,8 @@ using json::Json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t k_longest_name = 4096;
+/// Of what came out differently, and of what could not be drawn; --json lists all.
+constexpr std::size_t k_most_lines = 40;
 
 struct ReplayArguments {
   io::WriteOptions glb;
@@ -218,7 +220,6 @@ void print(const ReplayArguments& arguments, const replay::ReplayResult& played,
 
 /// What came out otherwise than it was recorded.
 void print(const replay::RedrawnSession& redrawn) {
-  constexpr std::size_t k_most_lines = 40;
   std::cout << replay::summary_of(redrawn) << '\n';
   if (redrawn.other_model) std::cout << "the model is not in the state in which the session began\n";
   std::size_t lines = 0;
@@ -231,8 +232,9 @@ void print(const replay::RedrawnSession& redrawn) {
 
 /// Steps that could not be drawn are what failed.
 int report_not_drawn(const replay::RedrawnSession& redrawn, const std::string& session) {
+  std::size_t lines = 0;
   for (const replay::RedrawnStep& step : redrawn.steps) {
-    if (step.came_out != replay::CameOut::not_drawn) continue;
+    if (step.came_out != replay::CameOut::not_drawn || ++lines > k_most_lines) continue;
     const std::string number = step.stroke > 0 ? " " + std::to_string(step.stroke) : "";
     std::cerr << "penpose: "
               << base::Error{step.what + number + " could not be drawn by today: " + step.reason,
