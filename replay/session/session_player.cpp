@@ -90,7 +90,7 @@ void Player::begin_plain(std::uint64_t number) {
 void Player::note_steps(std::uint64_t number) {
   for (const SessionStep& step : out_.session->steps()) {
     ++out_.steps;
-    if (redrawing_ && step.is_stroke) redrawing_->begin_step(number, "stroke");
+    if (redrawing_ && step.is_stroke) redrawing_->begin_stroke(number);
     if (redrawing_) redrawing_->did(step.status);
     if (!step.status) {
       ++out_.refused;
@@ -165,7 +165,7 @@ void Player::redraw(std::string_view step, std::uint64_t number) {
   if (!out_.session) begin_plain(number);
   if (error_) return;
   const drawing::Editor& editor = out_.session->editor();
-  redrawing_->begin_step(number, name_of_step(step));
+  redrawing_->begin_line(number, step);
   const auto lines = redrawing_->today(step, editor.document());
   if (!lines) {
     ++out_.steps;

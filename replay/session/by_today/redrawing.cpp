@@ -14,6 +14,9 @@ using document::KeyKind;
 
 constexpr std::string_view k_line_mark = "# penpose ";
 constexpr std::string_view k_does = "do ";
+constexpr std::size_t k_longest_what = 40;
+/// Steps of today's that one undo takes back: a bound on what a made-up session can ask for.
+constexpr std::size_t k_most_together = 100;
 
 }  // namespace
 
@@ -22,11 +25,6 @@ std::optional<std::string_view> step_line(std::string_view comment) {
   comment.remove_prefix(k_line_mark.size());
   const bool is_step = comment.starts_with(k_does) || comment == "undo" || comment == "redo";
   return is_step ? std::optional(comment) : std::nullopt;
-}
-
-std::string_view name_of_step(std::string_view line) {
-  if (line.starts_with(k_does)) line.remove_prefix(k_does.size());
-  return line.substr(0, line.find(' '));
 }
 
 Redrawing::Redrawing(std::uint32_t edition)
@@ -65,15 +63,26 @@ bool Redrawing::began_on(const Document& document, const base::Hash128& named) {
   return false;
 }
 
-void Redrawing::begin_step(std::uint64_t line, std::string_view what) {
+void Redrawing::begin(std::uint64_t number, std::string_view what, Does does) {
   close(std::nullopt, false);
   Pending step;
-  step.step.line = line;
+  step.step.line = number;
   step.step.what = what;
-  if (what == "stroke") step.step.stroke = ++out_.strokes;
-  step.does = what == "undo" ? Does::undo : what == "redo" ? Does::redo : Does::change;
+  step.does = does;
   step.kind_before = kind_;
   pending_ = std::move(step);
+}
+
+void Redrawing::begin_stroke(std::uint64_t number) {
+  begin(number, "stroke", Does::change);
+  pending_->step.stroke = ++out_.strokes;
+}
+
+void Redrawing::begin_line(std::uint64_t number, std::string_view line) {
+  if (line == "undo") return begin(number, line, Does::undo);
+  if (line == "redo") return begin(number, line, Does::redo);
+  line.remove_prefix(k_does.size());
+  begin(number, line.substr(0, std::min(line.find(' '), k_longest_what)), Does::change);
 }
 
 base::Result<std::vector<SessionLine>> Redrawing::today(std::string_view line, const Document& now) {
@@ -142,7 +151,7 @@ void Redrawing::cross(bool back) {
 /// then and does now goes with the step before it.
 void Redrawing::keep_past(const Pending& step, bool changed_then, bool changed_now) {
   if (!changed_then && step.refused && step.done == 0) return;
-  if (!changed_then && changed_now) {
+  if (!changed_then && changed_now && (done_.empty() || done_.back().today < k_most_together)) {
     if (!done_.empty()) done_.back().today += step.done;
     return;
   }
@@ -168,7 +177,7 @@ void Redrawing::close(std::optional<bool> changed_then, bool changed_now) {
 void Redrawing::reached(const document::DocumentState& recorded, const Document& now, std::uint64_t line) {
   const bool changed_then = !(recorded.whole == std::exchange(recorded_, recorded.whole));
   if (!pending_ && changed_then) {
-    begin_step(line, "step");
+    begin(line, "step", Does::change);
     refuse({"what the session has before this line is no step today", "", ""}, true);
   }
   std::optional<std::vector<std::string_view>> parts;  // of the form in which the fewest differ

@@ -15,9 +15,8 @@ namespace penpose::replay {
 /// Follows a session of any edition while it is drawn again with today's reading: says what each of its steps is today,
 /// compares what comes of it with what was recorded, and keeps undo to the steps that it took back then.
 ///
-/// The calls of a step, in order: `begin_step`; where it is a line `today`, or for a stroke nothing; `did` for each
-/// step of today's that it became; `follow_up` with `did` once more; and `reached` with the state that the session has
-/// after it.
+/// The calls of a step, in order: `begin_stroke`, or `begin_line` and `today`; `did` for each step of today's that it
+/// became; `follow_up` with `did` once more; and `reached` with the state that the session has after it.
 class Redrawing {
  public:
   explicit Redrawing(std::uint32_t edition);
@@ -26,8 +25,10 @@ class Redrawing {
   /// Whether the session was begun on that document.
   [[nodiscard]] bool began_on(const document::Document& document, const base::Hash128& named);
 
-  void begin_step(std::uint64_t line, std::string_view what);
-  /// What the line of a step ("do ...", "undo", "redo", without "# penpose ") is today. Errors: why nothing is to be
+  void begin_stroke(std::uint64_t number);
+  /// `line`: "do ...", "undo" or "redo", as step_line gives it. `number`: of the line in the session, from 1.
+  void begin_line(std::uint64_t number, std::string_view line);
+  /// What that line is today. Errors: why nothing is to be
   /// done for it, which is kept for the report: today's reading cannot express it; it was refused then, and would not
   /// be now; there is nothing to undo or redo.
   [[nodiscard]] base::Result<std::vector<SessionLine>> today(std::string_view line, const document::Document& now);
@@ -56,6 +57,7 @@ class Redrawing {
     document::KeyKind after = document::KeyKind::smooth;
   };
 
+  void begin(std::uint64_t number, std::string_view what, Does does);
   void refuse(const base::Error& why, bool unknown);
   void set_kind(document::KeyKind kind);
   void make_hashers();
@@ -76,8 +78,6 @@ class Redrawing {
   RedrawnSession out_;
 };
 
-/// "undo", "redo", or what the command is called in files.
-[[nodiscard]] std::string_view name_of_step(std::string_view line);
 /// The line of a step without "# penpose "; nothing where a comment is none.
 [[nodiscard]] std::optional<std::string_view> step_line(std::string_view comment);
 
