@@ -30,19 +30,24 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build_shown ARGUMENT...: `cmake --build build ARGUMENT...` with a line that counts on: on a terminal one line that is written
-# over, else a line every ten percent.
-# Needs `set -o pipefail`. The whole of what was said is in build/build.log; of a failure its first errors are shown.
+# build_shown WHAT ARGUMENT...: `cmake --build build ARGUMENT...` with a line that says how much of WHAT is built and about how
+# long the rest takes: on a terminal one line that is written over, else a line every ten percent. Compilers that ran already
+# say how long those that are left will take, since they take alike.
+# Needs `set -o pipefail`. The whole of the output is in build/build.log; of a failure its first errors are shown.
 build_shown() {
-  local log=build/build.log status=0 terminal=0
+  local log=build/build.log status=0 terminal=0 what=$1
+  shift
   [ -t 1 ] && terminal=1
-  NINJA_STATUS='[%f/%t] ' cmake --build build "$@" 2>&1 | tee "$log" | awk -v terminal="$terminal" '
-    match($0, /^\[[0-9]+\/[0-9]+\]/) {
-      split(substr($0, 2, RLENGTH - 2), n, "/")
+  NINJA_STATUS='[%f/%t %e] ' cmake --build build "${@}" 2>&1 | tee "$log" | awk -v terminal="$terminal" -v what="$what" '
+    match($0, /^\[[0-9]+\/[0-9]+ [0-9.]+\]/) {
+      split(substr($0, 2, RLENGTH - 2), n, /[\/ ]/)
       percent = n[2] > 0 ? int(100 * n[1] / n[2]) : 100
       if (percent == shown || (!terminal && percent < shown + 10)) next
       shown = percent
-      printf terminal ? "\rbuilding %d %%" : "building %d %%\n", percent
+      minutes = n[1] > 0 ? n[3] * (n[2] - n[1]) / n[1] / 60 : 0
+      left = percent == 100 ? "" : minutes < 1 ? ", less than a minute left" : sprintf(", %d min left", minutes + 0.5)
+      line = "building " what ": " percent " %" left
+      printf terminal ? "\r%-60s" : "%s\n", line
       fflush()
     }
     END { if (terminal && shown != "") print "" }' || status=$?

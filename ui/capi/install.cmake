@@ -2,6 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+add_dependencies(installed penpose_c)
 install(TARGETS penpose_c
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libpenpose0 NAMELINK_COMPONENT libpenpose-dev)
 
@@ -17,6 +18,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/penpose.pc DESTINATION ${CMAKE_INSTALL
 if(PENPOSE_INSTALL_CPP)
   get_property(archives GLOBAL PROPERTY PENPOSE_ARCHIVES)
   set_target_properties(${archives} PROPERTIES EXCLUDE_FROM_ALL OFF)
+  add_dependencies(installed ${archives})
   install(TARGETS ${archives} EXPORT penpose ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libpenpose-dev)
   install(EXPORT penpose NAMESPACE penpose:: FILE penpose-targets.cmake DESTINATION ${config_dir} COMPONENT libpenpose-dev)
   configure_package_config_file(penpose-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/penpose-config.cmake

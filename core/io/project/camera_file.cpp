@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/json/json.h"
+#include "core/base/json/json_value.h"
 
 namespace penpose::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/json/json.h"
+#include "core/base/json/json_value.h"
 
 namespace penpose::io {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/io/project/landmark_file.h"
 
-#include "core/base/json/json.h"
+#include "core/base/json/json_value.h"
 
 namespace penpose::io {
 namespace {

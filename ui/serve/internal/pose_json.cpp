@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::serve {
 
 using json::Json;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/edition.h"
+#include "core/base/json/json_value.h"
 #include "core/io/project/internal/sketch_json.h"
 
 namespace penpose::io {

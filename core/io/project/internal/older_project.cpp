@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
+
+#include "core/base/json/json_value.h"
 
 namespace penpose::io {
 namespace {

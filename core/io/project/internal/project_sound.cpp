@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::io {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::json {
 namespace {
 

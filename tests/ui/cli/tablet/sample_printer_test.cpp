@@ -1,7 +1,8 @@
 #include "ui/cli/tablet/sample_printer.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+
+#include "core/base/json/json_value.h"
 
 namespace penpose::cli {
 namespace {

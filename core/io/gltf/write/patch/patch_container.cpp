@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/byte_reader.h"
+#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/uri/uri.h"
 
 namespace penpose::io {

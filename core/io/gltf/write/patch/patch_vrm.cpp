@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::io {
 namespace {
 

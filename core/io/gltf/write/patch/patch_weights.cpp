@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::io {
 
 void PatchWeights::write() {

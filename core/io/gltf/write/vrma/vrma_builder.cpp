@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/json/json_value.h"
+
 namespace penpose::io {
 
 VrmaBuilder::VrmaBuilder() {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "core/base/json/json_value.h"
 #include "core/character/demo_head.h"
 #include "core/io/model/read_model.h"
 #include "tests/core/portrait/feature_distance.h"
