@@ -58,14 +58,14 @@ void add_face(StateHash& hash, const char* name, const FaceDrawing& face) {
   }
 }
 
-base::Hash128 hash_of(const PoseCurve& curve) {
+base::Hash128 hash_of(const PoseCurve& curve, const HashForm& form) {
   StateHash hash;
   hash.add(std::uint64_t{curve.id.value});
   hash.add(static_cast<std::uint64_t>(curve.role));
   add_mesh_points(hash, curve.points);
   add_points(hash, curve.kept);
   if (!curve.aside.empty()) add_points(hash, curve.aside);
-  if (curve.time_s != 0.0) hash.add(curve.time_s);
+  if (curve.time_s != 0.0 && form.moments_of_curves) hash.add(curve.time_s);
   hash.add(std::uint64_t{curve.target.has_value()});
   if (curve.target) add_target(hash, *curve.target);
   return hash.digest();
@@ -141,12 +141,12 @@ void add_sound(StateHash& hash, const Document& document) {
   if (document.spoken) add_spoken(hash, *document.spoken);
 }
 
-void add_keys(StateHash& hash, const Timeline& timeline) {
+void add_keys(StateHash& hash, const Timeline& timeline, const HashForm& form) {
   for (const PoseKey& key : timeline.keys) {
     hash.add(key.time_s);
     hash.add(std::span<const double>(static_cast<const rig::Pose&>(key.pose)));
     hash.add(key.name);
-    if (key.controls.usual()) continue;
+    if (key.controls.usual() || form.one_kind) continue;
     for (std::size_t i = 0; i < key.pose.size(); ++i) {
       const ControlKey control = key.controls[i];
       hash.add(static_cast<std::uint64_t>(control.kind));
@@ -156,24 +156,26 @@ void add_keys(StateHash& hash, const Timeline& timeline) {
   }
 }
 
-void add_clip(StateHash& hash, const Document& document, std::size_t number) {
+void add_clip(StateHash& hash, const Document& document, std::size_t number, const HashForm& form) {
   const Clip& clip = *document.clips[number];
   hash.add(clip.name);
   if (number == document.clip) return;
   hash.add(std::uint64_t{clip.timeline->keys.size()});
-  add_keys(hash, *clip.timeline);
+  add_keys(hash, *clip.timeline, form);
   if (clip.spoken) add_spoken(hash, *clip.spoken);
 }
 
-base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
+base::Hash128 hash_keys(const Document& document, const base::Hash128& animations, const HashForm& form) {
   StateHash hash;
-  add_keys(hash, *document.timeline);
+  // The two kinds that timelines had: 0, straight, and 1, smooth.
+  if (form.one_kind) hash.add(std::uint64_t{*form.one_kind == KeyKind::smooth});
+  add_keys(hash, *document.timeline, form);
   if (!document.clips.empty()) {
     hash.add("clips");
     hash.add(std::uint64_t{document.clips.size()});
     hash.add(std::uint64_t{document.clip});
   }
-  for (std::size_t i = 0; i < document.clips.size(); ++i) add_clip(hash, document, i);
+  for (std::size_t i = 0; i < document.clips.size(); ++i) add_clip(hash, document, i, form);
   add_digest(hash, animations);
   add_sound(hash, document);
   return hash.digest();
@@ -202,7 +204,7 @@ base::Hash128 DocumentHasher::hash_curves(const Document& document) {
       hashed.push_back(std::move(curves_[known++]));
       continue;
     }
-    hashed.push_back({curve, hash_of(*curve)});
+    hashed.push_back({curve, hash_of(*curve, form_)});
     const bool added = i + 1 < document.curves.size() && is_at(known, document.curves[i + 1]);
     if (!added) ++known;
   }
@@ -242,7 +244,7 @@ DocumentState DocumentHasher::operator()(const Document& document) {
   }
   const std::array<base::Hash128, k_state_parts.size()> parts{surface_, hash_deformers(document),
                                                               hash_parameters(document), hash_curves(document),
-                                                              hash_keys(document, animations_)};
+                                                              hash_keys(document, animations_, form_)};
   StateHash hash;
   hash.add("penpose document 1");
   DocumentState state;

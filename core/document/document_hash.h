@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,10 +26,21 @@ struct DocumentState {
 /// The names of the parts in which two states differ.
 [[nodiscard]] std::vector<std::string_view> differing_parts(const DocumentState& a, const DocumentState& b);
 
+/// What the hash of a document says of what it came to say later. Sessions keep hashes, so that the state that an older
+/// one recorded can be compared in the form in which it was written.
+struct HashForm {
+  /// The timeline has one kind for all keys, and says it before them; controls have none of their own.
+  std::optional<KeyKind> one_kind = {};
+  bool moments_of_curves = true;  ///< curves say when they were drawn
+};
+
 /// Hashes documents. Remembers the hashes of shared parts, so that hashing after every stroke costs only as much as the
 /// parts that changed.
 class DocumentHasher {
  public:
+  DocumentHasher() = default;
+  explicit DocumentHasher(HashForm form) : form_(form) {}
+
   [[nodiscard]] DocumentState operator()(const Document& document);
 
  private:
@@ -38,6 +50,7 @@ class DocumentHasher {
   };
   [[nodiscard]] base::Hash128 hash_curves(const Document& document);
 
+  HashForm form_;
   std::vector<HashedCurve> curves_;
   std::shared_ptr<const mesh::TriangleMesh> mesh_;
   std::shared_ptr<const rig::BlendShapes> shapes_;

@@ -88,6 +88,13 @@ std::optional<int> read_device(std::string_view text) {
   return static_cast<int>(*number);
 }
 
+/// Whether a comment is a line of penpose's own; what it says is left.
+bool take_mark(std::string_view& comment) {
+  if (!comment.starts_with("# ")) return false;
+  comment.remove_prefix(2);
+  return take_piece(comment, ' ') == k_mark;
+}
+
 using Line = base::Result<std::optional<SessionLine>>;
 
 Line parsed(SessionLine line) { return std::optional(std::move(line)); }
@@ -107,16 +114,30 @@ Line parse_state(std::string_view text) {
   return parsed(line);
 }
 
-Line parse_header(std::string_view text) {
+/// The edition is 0 where none is said.
+SessionOrigin parse_origin(std::string_view text) {
   std::string_view edition = take_piece(text, ' ');
-  const bool ours = take_piece(edition, '=') == "edition" && base::parse_uint(edition) == base::k_edition;
+  const bool named = take_piece(edition, '=') == "edition";
   auto members = document::parse_members<ProgramMember>(text);
-  if (!ours) {
-    const std::string program = members && !members->program.empty() ? members->program : "a program without a name";
-    return base::Error{"the session was recorded by " + base::shown_line(program, k_longest_name) +
-                           " under another edition of drawing, and would come out otherwise",
-                       "", "replay it with that program, or draw it again"};
-  }
+  return {named ? document::TextForm<std::uint32_t>::read(edition).value_or(0) : 0,
+          members ? std::move(members->program) : std::string()};
+}
+
+base::Error another_edition(const SessionOrigin& origin) {
+  const std::string program =
+      origin.program.empty() ? "a program without a name" : base::shown_line(origin.program, k_longest_name);
+  std::string what = "the session was recorded by " + program + " under another edition of drawing";
+  if (origin.edition == 0) return {what + ", which it does not say", "", "replay it with that program"};
+  what += ": " + std::to_string(origin.edition) + ", this program's is " + std::to_string(base::k_edition);
+  if (origin.edition > base::k_edition) return {what, "", "take a program as new as that one"};
+  return {what, "", "draw it again with today's reading: replay --by-today, or open it in the window"};
+}
+
+Line parse_header(std::string_view text) {
+  const SessionOrigin origin = parse_origin(text);
+  if (origin.edition != base::k_edition) return another_edition(origin);
+  static_cast<void>(take_piece(text, ' '));
+  auto members = document::parse_members<ProgramMember>(text);
   if (!members) return members.error();
   return parsed(SessionBegins{std::move(members->program)});
 }
@@ -188,11 +209,16 @@ std::string to_text(const SessionLine& line) {
 }
 
 base::Result<std::optional<SessionLine>> parse_session_line(std::string_view comment) {
-  if (!comment.starts_with("# ")) return std::optional<SessionLine>();
-  comment.remove_prefix(2);
-  if (take_piece(comment, ' ') != k_mark) return std::optional<SessionLine>();
+  if (!take_mark(comment)) return std::optional<SessionLine>();
   const std::string_view what = take_piece(comment, ' ');
   return parse_what(what, comment);
+}
+
+std::optional<SessionOrigin> session_origin(std::string_view comment) {
+  if (!take_mark(comment) || take_piece(comment, ' ') != "session") return std::nullopt;
+  SessionOrigin origin = parse_origin(comment);
+  if (origin.edition == 0) return std::nullopt;
+  return origin;
 }
 
 }  // namespace penpose::replay

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace penpose::replay {
 // What a session's trace says beyond the pen, in comment lines "# penpose WHAT ...". Texts, numbers, views and commands
 // are written as core/document/commands/command_text.h says.
 
-/// "session edition=4 program=NAME": the first of them. Another edition (core/base/edition.h) is refused.
+/// "session edition=NUMBER program=NAME": the first of them. Another edition (core/base/edition.h) is refused.
 struct SessionBegins {
   std::string program;
   friend bool operator==(const SessionBegins&, const SessionBegins&) = default;
@@ -87,5 +88,13 @@ using SessionLine = std::variant<SessionBegins, ModelNamed, ViewChanged, ToolCho
 /// Reads a comment line of a trace ("# penpose ..."). Nothing for any other comment. Errors: another edition, a
 /// line that is not known or has another form.
 [[nodiscard]] base::Result<std::optional<SessionLine>> parse_session_line(std::string_view comment);
+
+/// By what a session was recorded, of whatever edition.
+struct SessionOrigin {
+  std::uint32_t edition = 0;
+  std::string program;
+};
+/// What the first comment line of a session says; nothing for any other comment, and where no edition is said.
+[[nodiscard]] std::optional<SessionOrigin> session_origin(std::string_view comment);
 
 }  // namespace penpose::replay

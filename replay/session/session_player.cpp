@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "core/base/edition.h"
+#include "replay/session/by_today/redrawing.h"
+
 namespace penpose::replay {
 namespace {
 
@@ -25,6 +28,9 @@ class Player {
  private:
   bool stopped() const;
   void on_line(const TraceLine& line);
+  bool begins_by_today(std::string_view text, std::uint64_t number);
+  void redraw(std::string_view step, std::uint64_t number);
+  void perform(const SessionLine& line, std::uint64_t number);
   void on_session_line(const SessionLine& line, std::uint64_t number);
   void begin(const std::string& path, const base::Hash128* expected, std::uint64_t number);
   void begin_plain(std::uint64_t number);
@@ -36,6 +42,7 @@ class Player {
   PlayerObserver nobody_;
   PlayerObserver& observer_;
   ReplayResult out_;
+  std::optional<Redrawing> redrawing_;
   std::optional<base::Error> error_;  ///< ends the replay
   base::Hash128 model_;               ///< as the session names it
   std::uint64_t long_line_ = 0;       ///< whose pieces are left out
@@ -57,10 +64,13 @@ void Player::begin(const std::string& path, const base::Hash128* expected, std::
     if (number > 0) error_ = at_line(number, *error_);
     return;
   }
-  const base::Hash128 hash = document::DocumentHasher()(*opened).whole;
-  if (expected != nullptr && !(hash == *expected)) {
-    error_ = at_line(number, changed_model_error(path, hash, *expected));
-    return;
+  if (expected != nullptr) {
+    const base::Hash128 hash = document::DocumentHasher()(*opened).whole;
+    const bool same = redrawing_ ? redrawing_->began_on(*opened, *expected) : hash == *expected;
+    if (!same && !(redrawing_ && options_.may_differ && options_.may_differ(path))) {
+      error_ = at_line(number, changed_model_error(path, hash, *expected));
+      return;
+    }
   }
   out_.model = path;
   out_.session = std::make_unique<Session>(std::move(opened).value(), options_.own_tablets);
@@ -80,6 +90,8 @@ void Player::begin_plain(std::uint64_t number) {
 void Player::note_steps(std::uint64_t number) {
   for (const SessionStep& step : out_.session->steps()) {
     ++out_.steps;
+    if (redrawing_ && step.is_stroke) redrawing_->begin_stroke(number);
+    if (redrawing_) redrawing_->did(step.status);
     if (!step.status) {
       ++out_.refused;
       base::Error error = step.status.error();
@@ -92,6 +104,7 @@ void Player::note_steps(std::uint64_t number) {
 }
 
 void Player::compare(const StateReached& reached, std::uint64_t number) {
+  if (redrawing_) return redrawing_->reached(reached.state, out_.session->editor().document(), number);
   ++out_.checked;
   const document::DocumentState now = out_.session->editor().state();
   if (now == reached.state) return;
@@ -121,11 +134,46 @@ void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
     compare(*reached, number);
     return;
   }
+  perform(line, number);
+}
+
+void Player::perform(const SessionLine& line, std::uint64_t number) {
   observer_.on_line(line);
   const auto status = out_.session->apply(line, out_.last_us);
   const bool line_refused = !status && out_.session->steps().empty();
   if (line_refused && out_.problems.size() < k_most_refusals) out_.problems.push_back(at_line(number, status.error()));
   note_steps(number);
+}
+
+/// Whether a line is the first of a session that is drawn by today.
+bool Player::begins_by_today(std::string_view text, std::uint64_t number) {
+  const auto origin = options_.by_today ? session_origin(text) : std::nullopt;
+  if (!origin || origin->edition > base::k_edition) return false;
+  if (!redrawing_) {
+    redrawing_.emplace(origin->edition);
+  } else if (redrawing_->edition() != origin->edition) {
+    error_ = at_line(number, {"another edition is named in the middle of the session", "",
+                              "draw the sessions that were joined here again one by one"});
+  }
+  out_.plain = false;
+  out_.program = origin->program;
+  return true;
+}
+
+/// The line of a step, as what it is today.
+void Player::redraw(std::string_view step, std::uint64_t number) {
+  if (!out_.session) begin_plain(number);
+  if (error_) return;
+  const drawing::Editor& editor = out_.session->editor();
+  redrawing_->begin_line(number, step);
+  const auto lines = redrawing_->today(step, editor.document());
+  if (!lines) {
+    ++out_.steps;
+    ++out_.refused;
+  } else {
+    for (const SessionLine& line : *lines) perform(line, number);
+  }
+  if (const auto line = redrawing_->follow_up(editor.document())) perform(*line, number);
 }
 
 void Player::on_line(const TraceLine& line) {
@@ -145,6 +193,12 @@ void Player::on_line(const TraceLine& line) {
   std::string_view text = line.text;
   // Editors on some systems put a byte order mark in front of a file.
   if (line.number == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (begins_by_today(text, line.number)) return;
+  if (const auto step = redrawing_ ? step_line(text) : std::nullopt) {
+    halted_ = stopped();
+    if (!halted_) redraw(*step, line.number);
+    return;
+  }
   const auto parsed = parse_session_line(text);
   if (!parsed) {
     // Lines of a file that says no edition may be anybody's comments; another edition ends everything.
@@ -183,6 +237,7 @@ base::Result<ReplayResult> Player::play() {
     note_steps((*report)->line);
   }
   if (error_) return *error_;
+  if (redrawing_) out_.redrawn = redrawing_->finish();
   out_.problems.insert(out_.problems.end(), source_.problems().begin(), source_.problems().end());
   return std::move(out_);
 }

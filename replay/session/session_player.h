@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "replay/session/by_today/redrawn_session.h"
 #include "replay/session/session.h"
 #include "replay/trace/trace_source.h"
 
@@ -38,6 +39,10 @@ struct PlayerOptions {
   std::function<base::Result<document::Document>(const std::string& path)> open;
   std::optional<std::size_t> stop_after_strokes = std::nullopt;
   std::function<bool(const Session&)> stop_when = {};  ///< asked after every step; may be empty
+  /// Draws a session of this edition or an older one with today's reading, and says what came out differently.
+  bool by_today = false;
+  /// Whether what such a session was drawn on may be in another state than it was then; empty: it may not.
+  std::function<bool(const std::string& path)> may_differ = {};
   const decode::TabletTable* own_tablets = nullptr;
   PlayerObserver* observer = nullptr;  ///< may be null
 };
@@ -64,19 +69,21 @@ struct ReplayResult {
   std::string program;               ///< that recorded it
   std::string model;                 ///< path in the session
   std::uint64_t reports = 0;
-  std::size_t steps = 0;                 ///< strokes on the canvas and commands
-  std::size_t refused = 0;               ///< of these, how many changed nothing
-  std::vector<base::Error> refusals;     ///< the first few
-  std::size_t checked = 0;               ///< states compared
-  std::size_t differing = 0;             ///< of these, how many differed
-  std::optional<Divergence> divergence;  ///< the first
-  std::int64_t first_us = 0;             ///< time of the first report
-  std::int64_t last_us = 0;              ///< and of the last
-  std::vector<base::Error> problems;     ///< lines that could not be read, and a cut at the end: the rest was replayed
+  std::size_t steps = 0;                  ///< strokes on the canvas and commands
+  std::size_t refused = 0;                ///< of these, how many changed nothing
+  std::vector<base::Error> refusals;      ///< the first few
+  std::size_t checked = 0;                ///< states compared
+  std::size_t differing = 0;              ///< of these, how many differed
+  std::optional<Divergence> divergence;   ///< the first
+  std::optional<RedrawnSession> redrawn;  ///< of a session that was drawn by today; nothing diverges then
+  std::int64_t first_us = 0;              ///< time of the first report
+  std::int64_t last_us = 0;               ///< and of the last
+  std::vector<base::Error> problems;      ///< lines that could not be read, and a cut at the end: the rest was replayed
 };
 
 /// Replays a session or a plain trace, using memory that does not grow with its length. Errors: those of reading and of
-/// loading the model; a session of another edition; a model that has changed since it was recorded.
+/// loading the model; a session of another edition, unless it is older and drawn by today; a model that has changed
+/// since it was recorded.
 [[nodiscard]] base::Result<ReplayResult> play_session(ReadBytes read, const PlayerOptions& options);
 
 }  // namespace penpose::replay

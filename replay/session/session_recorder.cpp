@@ -5,7 +5,7 @@ namespace penpose::replay {
 // The writer keeps its first error; whoever owns it asks for it at the end.
 
 void SessionRecorder::on_begin(Session& session, const std::string& model_path) {
-  static_cast<void>(writer_.begin(session.editor().state().whole, model_path));
+  static_cast<void>(writer_.begin(session.editor().state().whole, place_of_ ? place_of_(model_path) : model_path));
 }
 
 void SessionRecorder::on_device(int device, const decode::DeviceIdentity& identity) {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <map>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include "replay/session/session_player.h"
 #include "replay/session/session_writer.h"
@@ -11,7 +13,9 @@ namespace penpose::replay {
 /// one whose states are out of date gets new ones.
 class SessionRecorder final : public PlayerObserver {
  public:
-  explicit SessionRecorder(SessionWriter& writer) : writer_(writer) {}
+  /// `place_of`: where the model is that a session names, which the new one will name; empty: as it is named.
+  explicit SessionRecorder(SessionWriter& writer, std::function<std::string(const std::string&)> place_of = {})
+      : writer_(writer), place_of_(std::move(place_of)) {}
 
   void on_begin(Session& session, const std::string& model_path) override;
   void on_device(int device, const decode::DeviceIdentity& identity) override;
@@ -22,6 +26,7 @@ class SessionRecorder final : public PlayerObserver {
 
  private:
   SessionWriter& writer_;
+  std::function<std::string(const std::string&)> place_of_;
 };
 
 /// How a trace declares a device that is known by its identity.

@@ -96,6 +96,18 @@ def taken_from_others(path, text):
             yield text.count('\n', 0, match.start()) + 1, match.group(0)
 
 
+def numbers_of_editions(root):
+    """The number of today's edition stands in the code alone."""
+    docs = os.path.join(root, 'docs')
+    for name in sorted(os.listdir(docs)) if os.path.isdir(docs) else []:
+        if not name.endswith('.md'):
+            continue
+        with open(os.path.join(docs, name), encoding='utf-8') as f:
+            text = f.read()
+        for match in re.finditer(r'\bedition=\d+|\bedition\.h`?; today \d+', text):
+            yield 'docs/%s:%d: %s: a page grows old; core/base/edition.h has the number' % (name, text.count('\n', 0, match.start()) + 1, match.group(0))
+
+
 def faults(root):
     for module in MODULES:
         for folder, folders, files in os.walk(os.path.join(root, module)):
@@ -122,6 +134,7 @@ def faults(root):
                     for match in rule.finditer(source):
                         yield '%s:%d: %s: %s' % (path, source.count('\n', 0, match.start()) + 1, match.group(0).strip(), why)
     yield from faults_of_the_build(root)
+    yield from numbers_of_editions(root)
 
 
 def faults_of_the_build(root):

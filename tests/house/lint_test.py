@@ -82,7 +82,10 @@ BAD['core/CMakeLists.txt'] = 'target_compile_options(core_rig PRIVATE -ffast-mat
 BAD['CMakeLists.txt'] = 'add_compile_options(-march=native)\n'
 BAD['tests/core/lines.h'] = 'int a;  // TODO\n'
 BAD['ui/app/taken.cpp'] = '#include "core/io/gltf/internal/gltf_extras.h"\n'
+BAD['docs/sessions.md'] = '# Sessions\n\nThe number (`core/base/edition.h`; today 5).\n'
+BAD['docs/formats.md'] = '`# penpose session edition=7 program=NAME`\n'
 GOOD = {
+    'docs/animator.md': 'Keys of edition 4, and `edition=NUMBER`.\n',
     'core/rig/a.cpp': '#include "core/base/math.h"\n// std::sin( would differ\ndouble f(double x) { return base::sin(x) + std::sqrt(x); }\n',
     'ui/app/b.cpp': '#include <chrono>\n#include <unordered_map>\ndouble g(double x) { return std::sin(x); }\n',
     'core/rig/c.cpp': 'const char* a = "sin(x) rand() time( std::sort(";\nconst char* b = R"(exp(x))";\nchar c = \'"\'; double d = 1\'000; int e = a.exp(1);\n',

@@ -58,6 +58,13 @@ ModelName named_model(const std::string& path, const io::Orientation& orientatio
   return name;
 }
 
+/// Empty where a file cannot be a project.
+io::GltfContents contents_of(const std::string& file) {
+  if (!io::keeps_everything(file)) return {};
+  const auto bytes = read_plain_file(file);
+  return bytes ? io::gltf_contents(*bytes) : io::GltfContents();
+}
+
 }  // namespace
 
 std::string ModelName::text() const {
@@ -81,11 +88,9 @@ bool leaves_axes_open(const std::string& file) {
   return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
 }
 
-bool is_project(const std::string& file) {
-  if (!io::keeps_everything(file)) return false;
-  const auto bytes = read_plain_file(file);
-  return bytes && io::gltf_contents(*bytes).is_project;
-}
+bool is_project(const std::string& file) { return contents_of(file).is_project; }
+
+bool is_older_project(const std::string& file) { return contents_of(file).is_older_project; }
 
 base::Result<document::Model> load_model(const std::string& called, NamedBy named, const io::Orientation& wanted) {
   const auto [path, orientation] = named_model(called, wanted);

@@ -28,6 +28,8 @@ struct ModelName {
 
 /// Whether a file opens as a project with all that was done in it, and not as a model that others made.
 [[nodiscard]] bool is_project(const std::string& file);
+/// Whether a file is a project that an older edition saved: what today does not build as it was stays as it was baked.
+[[nodiscard]] bool is_older_project(const std::string& file);
 
 /// Opens and reads a model, and the files below its folder that it names; "builtin:head" is the built-in head and
 /// "builtin:demo" the same with the deformers of the demo. `path` may be a ModelName's text. `orientation`: how

@@ -18,6 +18,8 @@ void show_tablet_dialog(PanelContext&, HandDesk&, Bindings&, Preferences&, Dialo
 void show_pad_dialog(PanelContext&, EditingSession&, HandDesk&, Bindings&, Preferences&, Dialogs&);
 void show_sessions_dialog(PanelContext&, Files&, Recording&, Notices&, Dialogs&);
 void show_unsaved_dialog(PanelContext&, Leaving&, Dialogs&);
+void show_older_session_dialog(PanelContext&, Files&, Notices&, Dialogs&);
+void show_drawn_again_dialog(PanelContext&, Dialogs&);
 void show_number_dialog(PanelContext&, EditingSession&, Controls&, Notices&, Dialogs&);
 void show_key_dialog(PanelContext&, Keys&, Dialogs&);
 void show_radial_dialog(PanelContext&, Preferences&, Dialogs&);
@@ -63,6 +65,8 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog::pad, show<show_pad_dialog>},
     DialogRow{Dialog::sessions, show<show_sessions_dialog>},
     DialogRow{Dialog::unsaved, show<show_unsaved_dialog>},
+    DialogRow{Dialog::older_session, show<show_older_session_dialog>},
+    DialogRow{Dialog::drawn_again, show<show_drawn_again_dialog>},
     DialogRow{Dialog::number, show<show_number_dialog>},
     DialogRow{Dialog::key_name, show<show_key_dialog>},
     DialogRow{Dialog::radial, show<show_radial_dialog>},

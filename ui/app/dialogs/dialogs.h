@@ -16,13 +16,14 @@ struct Dialog {
 
   // Those that are asked for by name elsewhere.
   static const Dialog none, open, save, export_as, recent, recover, steps, tablet, pad, sessions, unsaved, number,
-      key_name, radial, shortcuts, search, history, film, backdrop, sound;
+      key_name, radial, shortcuts, search, history, film, backdrop, sound, older_session, drawn_again;
 };
 inline constexpr Dialog Dialog::none{""}, Dialog::open{"open"}, Dialog::save{"save"}, Dialog::export_as{"export"},
     Dialog::recent{"recent"}, Dialog::recover{"recover"}, Dialog::steps{"steps"}, Dialog::tablet{"tablet"},
     Dialog::pad{"pad"}, Dialog::sessions{"sessions"}, Dialog::unsaved{"unsaved"}, Dialog::number{"number"},
     Dialog::key_name{"key name"}, Dialog::radial{"radial"}, Dialog::shortcuts{"shortcuts"}, Dialog::search{"search"},
-    Dialog::history{"history"}, Dialog::film{"film"}, Dialog::backdrop{"backdrop"}, Dialog::sound{"sound"};
+    Dialog::history{"history"}, Dialog::film{"film"}, Dialog::backdrop{"backdrop"}, Dialog::sound{"sound"},
+    Dialog::older_session{"older session"}, Dialog::drawn_again{"drawn again"};
 
 /// Which dialog is open, and what each keeps for itself.
 class Dialogs {

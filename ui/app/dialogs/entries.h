@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/camera.h"
+#include "replay/session/by_today/redrawn_session.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/hands/binding.h"
 #include "ui/app/key_stroke.h"
@@ -62,6 +64,18 @@ void try_pen(Dialogs& dialogs, PxPoint at, double pressure, bool begins);
 struct UnsavedWork {
   std::string then_opens;    ///< empty: the program ends
   bool saves_first = false;  ///< that was the answer: it is done once something was saved
+};
+
+/// A session of an older edition that waits for the answer whether it is to be drawn again.
+struct OlderSession {
+  std::string path;
+  std::uint32_t edition = 0;
+};
+
+/// How one came out.
+struct DrawnAgain {
+  std::string name;
+  replay::RedrawnSession redrawn;
 };
 
 }  // namespace penpose::app

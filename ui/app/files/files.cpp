@@ -8,6 +8,8 @@
 #include "core/document/document_hash.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/surface/orientation.h"
+#include "replay/session/session_recorder.h"
+#include "ui/app/dialogs/entries.h"
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
@@ -68,8 +70,8 @@ void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> fil
   parts_.performer.drop();
   parts_.recording.end();
   parts_.player.trace.reset();
-  const std::string project = project_of_session(file->path());
-  parts_.editing.resume(std::move(*played.session), &file->writer(), played.last_us);
+  const std::string project = file ? project_of_session(file->path()) : std::string();
+  parts_.editing.resume(std::move(*played.session), file ? &file->writer() : nullptr, played.last_us);
   parts_.recording.take(std::move(file));
   path_ = played.model;
   project_ = project;
@@ -100,6 +102,9 @@ base::Status Files::open(const std::string& path) {
     draw.kind = drawing::ToolKind::draw;
     parts_.editing.set_tool(draw);
   }
+  if (files::is_older_project(path)) {
+    for (const std::string& note : parts_.editing.document().model->notes) parts_.notices.tell(note);
+  }
   const bool lies = files::leaves_axes_open(path) && io::looks_as_if_z_were_up(*parts_.editing.document().model);
   if (lies) parts_.notices.tell("it looks as if it lay on its back: Z up, in the menu, stands it up");
   if (!path.starts_with("builtin:")) {
@@ -126,12 +131,35 @@ base::Status Files::open_session(const std::string& path) {
   return base::Done{};
 }
 
-base::Result<replay::ReplayResult> Files::played_session(const std::string& path) {
+base::Status Files::draw_again(const std::string& path) {
+  std::unique_ptr<SessionFile> next = parts_.recording.beside();
+  std::optional<replay::SessionRecorder> recorder;
+  const auto place_of = [&](const std::string& named) { return files::find_session_model(path, named); };
+  if (next) recorder.emplace(next->writer(), place_of);
+  auto played = played_session(path, recorder ? &*recorder : nullptr, true);
+  if (!played) {
+    if (next) next->finish(false);
+    return played.error();
+  }
+  parts_.dialogs.state<DrawnAgain>() = {fs::path(path).stem().string(), *std::move(played->redrawn)};
+  played->model = place_of(played->model);
+  resume(std::move(*played), std::move(next));
+  parts_.dialogs.show(Dialog::drawn_again);
+  return base::Done{};
+}
+
+base::Result<replay::ReplayResult> Files::played_session(const std::string& path, replay::PlayerObserver* observer,
+                                                         bool by_today) {
   const auto file = files::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
   options.open = [&](const std::string& named) { return model_of_session(path, named); };
   options.own_tablets = parts_.own_tablets;
+  options.observer = observer;
+  options.by_today = by_today;
+  options.may_differ = [&](const std::string& named) {
+    return files::changes_with_editions(files::find_session_model(path, named));
+  };
   auto played = replay::play_session(files::read_recording_file(file->get()), options);
   if (!played) return played;
   if (!played->session) {
@@ -141,7 +169,17 @@ base::Result<replay::ReplayResult> Files::played_session(const std::string& path
   return played;
 }
 
+/// Whether opening a file waits for an answer: whether to draw it again.
+bool Files::asks_about_edition(const std::string& path) {
+  const auto edition = is_trace(path) ? files::older_edition_of(path) : std::nullopt;
+  if (!edition) return false;
+  parts_.dialogs.state<OlderSession>() = {path, *edition};
+  parts_.dialogs.show(Dialog::older_session);
+  return true;
+}
+
 void Files::try_open(const std::string& path) {
+  if (asks_about_edition(path)) return;
   if (const auto opened = open(path); !opened) {
     parts_.notices.tell(opened.error().line(path), true);
     return;
@@ -227,6 +265,12 @@ base::Status Files::export_to(const std::string& path) {
 }
 
 base::Status Files::bring_back(const std::string& path) {
+  // What an older program was drawing when it ended comes back as it is read today.
+  if (files::older_edition_of(path)) {
+    auto drawn = draw_again(path);
+    if (drawn) settle_session(path);
+    return drawn;
+  }
   auto played = played_session(path);
   if (!played) return played.error();
   auto file = SessionFile::resume(path, parts_.program);

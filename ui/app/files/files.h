@@ -37,8 +37,11 @@ class Files {
 
   /// Opens a model, a project, or a session, whose end is gone on from; "tour:NAME" begins a tour.
   base::Status open(const std::string& path);
-  /// The same with the notice of a refusal.
+  /// The same with the notice of a refusal. Of a session of an older edition it asks first.
   void try_open(const std::string& path);
+  /// Draws a session of an older edition again with today's reading, into a new session that is gone on with, and shows
+  /// how it came out.
+  base::Status draw_again(const std::string& path);
   /// Plays a trace into the document in place of a tablet.
   base::Status play_trace(const std::string& path);
   /// Goes on with a session that a crash has ended, in its own file.
@@ -60,7 +63,10 @@ class Files {
   base::Status open_session(const std::string& path);
   void begin_session(document::Document document, const std::string& path);
   void resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file);
-  base::Result<replay::ReplayResult> played_session(const std::string& path);
+  /// `by_today` also draws what is of an older edition.
+  base::Result<replay::ReplayResult> played_session(const std::string& path, replay::PlayerObserver* observer = nullptr,
+                                                    bool by_today = false);
+  bool asks_about_edition(const std::string& path);
   void set_project(const std::string& path);
   /// The sound as a project at that path names it; nothing: as now, or there is none.
   [[nodiscard]] std::optional<document::SetSound> renamed_sound(const std::string& path) const;

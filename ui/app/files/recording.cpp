@@ -16,6 +16,10 @@ void Recording::end() {
 
 std::unique_ptr<SessionFile> Recording::next() {
   end();
+  return beside();
+}
+
+std::unique_ptr<SessionFile> Recording::beside() {
   const bool named = !options_.first.empty() && !file_;
   keep_next_ = named;
   if (!named && options_.state_folder.empty()) return nullptr;

@@ -25,6 +25,8 @@ class Recording {
   /// Ends the session that there is, and makes the file of the next one; null where nothing is kept, or where it cannot
   /// be made, which is said.
   [[nodiscard]] std::unique_ptr<SessionFile> next();
+  /// The same while the session that there is goes on.
+  [[nodiscard]] std::unique_ptr<SessionFile> beside();
   /// Ends the session that there is. One in which nothing was done leaves no file.
   void end();
   /// Records into a file from now on; null: into none.

@@ -16,6 +16,7 @@
 #include "ui/files/load_model.h"
 #include "ui/files/own_tablets.h"
 #include "ui/files/process/kept_memory.h"
+#include "ui/files/session_model.h"
 #include "ui/live/live.h"
 
 namespace penpose::app {
@@ -67,8 +68,11 @@ base::Status run_app(const files::WindowRequest& request) {
   app.of<SystemDialogs>().set_portal(portal::make_file_portal([&] { (*window)->wake(); }),
                                      [&] { return (*window)->handle(); });
   const std::string file = request.model.empty() ? "builtin:demo" : request.model;
-  const std::string model = files::ModelName{file, request.orientation}.text();
+  // A session of an older edition is asked about, over what opens by itself.
+  const bool asks = files::older_edition_of(file).has_value();
+  const std::string model = asks ? files::k_default_model : files::ModelName{file, request.orientation}.text();
   if (const auto opened = app.of<Files>().open(model); !opened) return in_file(opened.error(), model);
+  if (asks) app.of<Files>().try_open(file);
   if (!request.session.empty() && app.of<Recording>().path().empty()) {
     return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};
   }

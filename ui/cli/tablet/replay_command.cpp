@@ -36,6 +36,8 @@ using json::Json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t k_longest_name = 4096;
+/// Of what came out differently, and of what could not be drawn; --json lists all.
+constexpr std::size_t k_most_lines = 40;
 
 struct ReplayArguments {
   io::WriteOptions glb;
@@ -48,6 +50,7 @@ struct ReplayArguments {
   std::string live;
   std::optional<std::size_t> strokes;
   bool real_time = false;
+  bool by_today = false;
   bool json = false;
 };
 
@@ -81,12 +84,11 @@ base::Result<document::Document> open_model(const ReplayArguments& arguments, co
 /// Counts steps on a terminal, tells of every pose and hands everything on to a recorder.
 class Watcher final : public replay::PlayerObserver {
  public:
-  Watcher(const ReplayArguments& arguments, std::uintmax_t file_size, std::FILE* file, live::Listener live,
-          replay::PlayerObserver* next)
-      : arguments_(arguments), progress_("replaying", file_size), file_(file), live_(std::move(live)), next_(next) {}
+  Watcher(std::uintmax_t file_size, std::FILE* file, live::Listener live, replay::PlayerObserver* next)
+      : progress_("replaying", file_size), file_(file), live_(std::move(live)), next_(next) {}
 
   void on_begin(replay::Session& session, const std::string& path) override {
-    if (next_ != nullptr) next_->on_begin(session, find_model(arguments_, path));
+    if (next_ != nullptr) next_->on_begin(session, path);
   }
   void on_device(int device, const decode::DeviceIdentity& identity) override {
     if (next_ != nullptr) next_->on_device(device, identity);
@@ -112,7 +114,6 @@ class Watcher final : public replay::PlayerObserver {
   }
 
  private:
-  const ReplayArguments& arguments_;
   Progress progress_;
   std::FILE* file_;
   live::Listener live_;
@@ -150,6 +151,27 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   return files::write_file(path, *png);
 }
 
+Json to_json(const replay::RedrawnSession& redrawn) {
+  using replay::CameOut;
+  Json steps = Json::array();
+  for (const replay::RedrawnStep& step : redrawn.steps) {
+    Json one = {{"line", step.line}, {"step", step.what}, {"came_out", std::string(replay::name_of(step.came_out))}};
+    if (step.stroke > 0) one["stroke"] = step.stroke;
+    for (const std::string_view part : step.parts) one["parts"].push_back(std::string(part));
+    for (const std::string_view part : step.since) one["since"].push_back(std::string(part));
+    if (!step.reason.empty()) one["reason"] = step.reason;
+    steps.push_back(std::move(one));
+  }
+  return {{"edition", redrawn.edition},
+          {"same_model", !redrawn.other_model},
+          {"strokes", redrawn.strokes},
+          {"equal", redrawn.count(CameOut::equal)},
+          {"different", redrawn.count(CameOut::differently)},
+          {"not_drawn", redrawn.count(CameOut::not_drawn)},
+          {"not_compared", redrawn.count(CameOut::not_compared)},
+          {"steps", std::move(steps)}};
+}
+
 Json to_json(const ReplayArguments& arguments, const replay::ReplayResult& played, double seconds) {
   Json out = {{"model", find_model(arguments, played.model)},
               {"plain", played.plain},
@@ -166,6 +188,7 @@ Json to_json(const ReplayArguments& arguments, const replay::ReplayResult& playe
     for (const std::string_view part : played.divergence->parts) parts.push_back(std::string(part));
     out["divergence"] = {{"line", played.divergence->line}, {"parts", std::move(parts)}};
   }
+  if (played.redrawn) out["by_today"] = to_json(*played.redrawn);
   const document::Document& document = played.session->editor().document();
   Json parameters = Json::object();
   const auto known = document.model->rig->parameters();
@@ -193,6 +216,33 @@ void print(const ReplayArguments& arguments, const replay::ReplayResult& played,
   std::cout << "\n"
             << base::format_fixed(static_cast<double>(played.last_us - played.first_us) * 1e-6, 1)
             << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
+}
+
+/// What came out otherwise than it was recorded.
+void print(const replay::RedrawnSession& redrawn) {
+  std::cout << replay::summary_of(redrawn) << '\n';
+  if (redrawn.other_model) std::cout << "the model is not in the state in which the session began\n";
+  std::size_t lines = 0;
+  for (const replay::RedrawnStep& step : redrawn.steps) {
+    const std::string text = replay::text_of(step);
+    if (!text.empty() && ++lines <= k_most_lines) std::cout << "  " << text << '\n';
+  }
+  if (lines > k_most_lines) std::cout << "  and " << lines - k_most_lines << " more, which --json lists\n";
+}
+
+/// Steps that could not be drawn are what failed.
+int report_not_drawn(const replay::RedrawnSession& redrawn, const std::string& session) {
+  std::size_t lines = 0;
+  for (const replay::RedrawnStep& step : redrawn.steps) {
+    if (step.came_out != replay::CameOut::not_drawn || ++lines > k_most_lines) continue;
+    const std::string number = step.stroke > 0 ? " " + std::to_string(step.stroke) : "";
+    std::cerr << "penpose: "
+              << base::Error{step.what + number + " could not be drawn by today: " + step.reason,
+                             "line " + std::to_string(step.line), "draw what it did anew"}
+                     .line(session)
+              << '\n';
+  }
+  return redrawn.count(replay::CameOut::not_drawn) > 0 ? k_failure : k_success;
 }
 
 /// No file that is written is one that is read, or one of the others.
@@ -227,16 +277,20 @@ int replay_session(const ReplayArguments& arguments) {
     record.emplace(std::move(made).value());
     writer.emplace([&](std::string_view text, bool sync) { return record->append(text, sync); },
                    "penpose-" + std::string(base::k_version));
-    recorder.emplace(*writer);
+    recorder.emplace(*writer, [&](const std::string& path) { return find_model(arguments, path); });
   }
   std::error_code code;
   const auto size = std::filesystem::file_size(arguments.session, code);
-  Watcher watcher(arguments, code ? 0 : size, file->get(), std::move(live).value(), recorder ? &*recorder : nullptr);
+  Watcher watcher(code ? 0 : size, file->get(), std::move(live).value(), recorder ? &*recorder : nullptr);
 
   replay::PlayerOptions options;
   options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
   options.open = [&](const std::string& path) { return open_model(arguments, path); };
   options.stop_after_strokes = arguments.strokes;
+  options.by_today = arguments.by_today;
+  options.may_differ = [&](const std::string& path) {
+    return !arguments.model.empty() || files::changes_with_editions(find_model(arguments, path));
+  };
   options.own_tablets = &*own;
   options.observer = &watcher;
   const Clock::time_point start = Clock::now();
@@ -248,14 +302,16 @@ int replay_session(const ReplayArguments& arguments) {
                           "give a session, or a trace as hid-recorder or `penpose record` writes it"},
                          arguments.session);
   }
+  int status = k_success;
   for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
-  for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
+  if (played->redrawn) status = report_not_drawn(*played->redrawn, arguments.session);
+  for (const auto& refusal : played->redrawn ? std::vector<base::Error>() : played->refusals)
+    std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
   for (const auto& guess : played->session->pens().guesses()) files::warn(files::guess_note(guess), arguments.session);
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
     files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",
                 arguments.session);
   }
-  int status = k_success;
   if (!arguments.output.empty()) {
     if (auto saved = files::save_document(played->session->editor().document(), arguments.output,
                                           files::SaveNotes::loud, arguments.glb);
@@ -272,6 +328,7 @@ int replay_session(const ReplayArguments& arguments) {
     std::cout << json::dump_as_made(to_json(arguments, *played, seconds)) << '\n';
   } else {
     print(arguments, *played, seconds);
+    if (played->redrawn) print(*played->redrawn);
   }
   if (writer) {
     // What could not be written down is still here, and was saved where it was asked for.
@@ -291,6 +348,8 @@ void add_options(const Command& command, ReplayArguments& arguments) {
   add_live_option(command, arguments.live);
   command.add_flag("--realtime", arguments.real_time, "At the pace of the recording");
   command.add_option("--session", arguments.record, "Write the replay down as a session of its own");
+  command.add_flag("--by-today", arguments.by_today,
+                   "Draw a session of an older edition with today's reading, and say which steps come out differently");
   add_tablet_options(command, arguments.own);
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);

@@ -158,8 +158,9 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   extras.present = true;
   const json::Json* edition = json::find(*own, "edition");
   const bool drawn = json::find(*own, "project") != nullptr || json::find(*own, "deformers") != nullptr;
-  const bool ours = edition != nullptr && json::whole_number(*edition, base::k_edition, base::k_edition).has_value();
-  extras.of_another_edition = drawn && !ours;
+  const auto number = edition == nullptr ? std::nullopt : json::whole_number(*edition, 1, base::k_edition);
+  extras.of_another_edition = drawn && !number;
+  if (drawn && number && *number < base::k_edition) extras.older_edition = static_cast<std::uint32_t>(*number);
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
   if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;

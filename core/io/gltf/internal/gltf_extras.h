@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -32,8 +33,11 @@ struct OneWayName {
 
 struct RootExtras {
   bool present = false;
-  /// Drawn under another edition: what was sketched is not read, and stays the morph targets that it was baked to.
+  /// Drawn under a newer edition, or none: what was sketched is not read, and stays the morph targets that it was baked
+  /// to.
   bool of_another_edition = false;
+  /// The older edition that it was drawn under: each control is read that today is built alike; 0: it is none.
+  std::uint32_t older_edition = 0;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
   std::vector<articulation::Sketch> deformers;

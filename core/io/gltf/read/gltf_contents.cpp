@@ -60,13 +60,14 @@ std::string type_of(const Json& image) {
   return ends(".webp") ? "image/webp" : ends(".ktx2") ? "image/ktx2" : "";
 }
 
-/// Of another edition only the model is read.
-bool holds_project(const Json& root) {
+/// The edition of a project; 0: of a newer one, or none, and then only the model is read; or the file is no project.
+std::uint32_t project_edition(const Json& root) {
   const Json* extras = json::find(root, "extras");
   const Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
-  if (own == nullptr || json::find(*own, "project") == nullptr) return false;
+  if (own == nullptr || json::find(*own, "project") == nullptr) return 0;
   const Json* edition = json::find(*own, "edition");
-  return edition != nullptr && json::whole_number(*edition, base::k_edition, base::k_edition).has_value();
+  const auto number = edition == nullptr ? std::nullopt : json::whole_number(*edition, 1, base::k_edition);
+  return static_cast<std::uint32_t>(number.value_or(0));
 }
 
 }  // namespace
@@ -75,7 +76,9 @@ GltfContents gltf_contents(base::Bytes bytes) {
   GltfContents contents;
   const auto root = json::parse_json(json_of(bytes));
   if (!root || !root->is_object() || json::find(*root, "asset") == nullptr) return contents;
-  contents.is_project = holds_project(*root);
+  const std::uint32_t edition = project_edition(*root);
+  contents.is_project = edition == base::k_edition;
+  contents.is_older_project = edition > 0 && !contents.is_project;
   if (const Json* images = json::find(*root, "images"); images != nullptr && images->is_array()) {
     for (const Json& image : *images) {
       GltfTexture texture{text_member(image, "name"), type_of(image)};

@@ -19,6 +19,7 @@ struct GltfContents {
   std::vector<std::string> passed_through;  ///< what stays in the file as it is: "KHR_lights_punctual", "2 cameras"
   std::vector<std::string> not_understood;  ///< extensions that penpose does not know
   bool is_project = false;                  ///< it opens as the document that this edition saved, and not as a model
+  bool is_older_project = false;            ///< it opens as what today makes of a document that an older edition saved
 };
 
 /// Reads the JSON of a .gltf or .glb alone. Empty for anything else, and where the JSON cannot be read.

@@ -19,6 +19,7 @@
 #include "core/io/gltf/read/internal/look/gltf_look.h"
 #include "core/io/gltf/vrm/vrm_extension.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/project/internal/older_project.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
 #include "core/mesh/topology.h"
@@ -112,7 +113,39 @@ struct OpenedModel {
   document::Model model;
   GltfOrigins origins;
   bool of_another_edition = false;
+  std::vector<std::string> parameters_of_file;  ///< in its order; empty: they are the model's
 };
+
+/// Controls that stay blend shapes keep their ranges.
+void keep_ranges(const RootExtras& root, const std::vector<std::string>& deformers, GltfShapes& shapes) {
+  for (const articulation::Sketch& sketch : root.deformers) {
+    if (std::find(deformers.begin(), deformers.end(), sketch.name) != deformers.end()) continue;
+    if (const auto shape = shape_named(shapes, sketch.name)) {
+      shapes.shapes[*shape].parameter.minimum = sketch.minimum;
+      shapes.shapes[*shape].parameter.maximum = sketch.maximum;
+    }
+  }
+}
+
+/// The names of the parameters as poses of the file have them: those of shapes, of all controls, and of joints.
+std::vector<std::string> parameters_of(const RootExtras& root, const document::Model& model) {
+  std::vector<std::string> names;
+  for (const rig::Parameter& shape : root.shapes) names.push_back(shape.name);
+  for (const articulation::Sketch& sketch : root.deformers) names.push_back(sketch.name);
+  const auto all = model.rig->parameters();
+  const std::size_t shapes = model.shapes ? model.shapes->parameters().size() : 0;
+  const std::size_t deformers = model.deformers ? model.deformers->size() : 0;
+  for (std::size_t p = shapes + deformers; p < all.size(); ++p) names.push_back(all[p].name);
+  return names;
+}
+
+/// What became of the controls of a project of an older edition.
+std::string older_note(const RootExtras& root, std::size_t rebuilt) {
+  std::string note = "the project was drawn in edition " + std::to_string(root.older_edition);
+  if (root.deformers.empty()) return note;
+  return note + ": " + std::to_string(rebuilt) + " of its " + std::to_string(root.deformers.size()) +
+         " controls can be drawn on, as they were";
+}
 
 base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver& resolve) {
   if (is_vrm_animation(document.json)) {
@@ -149,14 +182,16 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   }
   if (root->of_another_edition) {
     document.notes.push_back(
-        "the project was drawn under another edition of penpose: its controls are the blend shapes that they were "
-        "baked to, and can no longer be drawn again");
+        "the project was drawn under another edition of penpose, which this one does not know: its controls are the "
+        "blend shapes that they were baked to, and can no longer be drawn again");
   }
   const auto deformers = read_deformers(*mesh, skeleton.get(), *root, *shapes, document.notes);
   std::vector<std::string> deformer_names;
   for (std::size_t i = 0; deformers && i < deformers->size(); ++i) {
     deformer_names.push_back(deformers->parameters()[i].name);
   }
+  if (root->older_edition > 0) document.notes.push_back(older_note(*root, deformer_names.size()));
+  keep_ranges(*root, deformer_names, *shapes);
   // What only shows the deformers to other programs comes last and is dropped.
   std::vector<std::string> not_shapes = deformer_names;
   for (std::size_t i = 0; i < root->deformers.size(); ++i) {
@@ -221,7 +256,9 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   if (const auto status = check_positions(*model); !status) return status.error();
   model->humanoid = vrm_humanoid(document.json, joints->joint_of_node);
   origins.joint_of_node = std::move(joints->joint_of_node);
-  return OpenedModel{std::move(model).value(), std::move(origins), root->of_another_edition};
+  const bool all_built = deformer_names.size() == root->deformers.size();
+  auto parameters = all_built ? std::vector<std::string>() : parameters_of(*root, *model);
+  return OpenedModel{std::move(model).value(), std::move(origins), root->of_another_edition, std::move(parameters)};
 }
 
 }  // namespace
@@ -248,7 +285,8 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");
   if (project == nullptr || read_model->of_another_edition) return document::make_document(std::move(model));
-  auto read = read_project(*project, json::child(json::child("/extras", k_extras_key), "project"), std::move(model));
+  const json::Json today = todays_project(*project, read_model->parameters_of_file, model.rig->parameters());
+  auto read = read_project(today, json::child(json::child("/extras", k_extras_key), "project"), std::move(model));
   if (!read) return read;
   // Clips that were made here stand in the project exactly, and for other programs as the first animations, unless they
   // move nothing that animations know.

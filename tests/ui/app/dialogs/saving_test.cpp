@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -110,6 +111,17 @@ TEST(Saving, AProjectIsToldFromAModelAndFromAnotherEditionsProject) {
   digit = digit == '9' ? '8' : '9';
   std::ofstream(project, std::ios::binary) << bytes;
   EXPECT_FALSE(files::is_project(project)) << "it opens as a model: its controls are baked";
+  EXPECT_FALSE(files::is_older_project(project));
+  digit = '1';
+  std::ofstream(project, std::ios::binary) << bytes;
+  EXPECT_TRUE(files::is_older_project(project));
+  EXPECT_FALSE(files::is_project(project));
+  ASSERT_TRUE(desk.app->of<Files>().open(project).ok());
+  EXPECT_EQ(desk.app->of<Files>().project(), "") << "the first save asks for a name";
+  const auto& said = desk.app->of<Notices>().all();
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Notice& one) {
+    return one.text.find("was drawn in edition 1") != std::string::npos;
+  }));
   EXPECT_FALSE(files::is_project(desk.path("none.glb")));
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/edition.h"
 #include "core/base/json/json_value.h"
 #include "core/document/document_hash.h"
 #include "core/io/model/write_model.h"
@@ -124,6 +125,75 @@ TEST_F(ReplayCommand, AFileThatIsNoSessionIsNamed) {
   save("cut.hid", std::string("E: zz\nE: 0.1 9 00\nE: 0.2"));
   EXPECT_EQ(run({"replay", path("cut.hid")}), 1);
   EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+}
+
+/// The session as an older edition would have recorded it; commands and their states are the same since edition 6.
+std::string of_edition(std::string text, const std::string& edition) {
+  const std::string now = "edition=" + std::to_string(base::k_edition);
+  return text.replace(text.find(now), now.size(), "edition=" + edition);
+}
+
+TEST_F(ReplayCommand, AnOlderSessionIsRefusedWithOneLineThatNamesByToday) {
+  save("old.session", of_edition(content("drawn.session"), "6"));
+  EXPECT_EQ(run({"replay", path("old.session")}), 1);
+  EXPECT_NE(error_.find("old.session: line 1: "), std::string::npos) << error_;
+  EXPECT_NE(error_.find("--by-today"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1);
+  save("new.session", of_edition(content("drawn.session"), "99"));
+  EXPECT_EQ(run({"replay", path("new.session"), "--by-today"}), 1);
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1);
+}
+
+TEST_F(ReplayCommand, ByTodayDrawsAnOlderSessionAndSavesItAsOneOfToday) {
+  save("old.session", of_edition(content("drawn.session"), "6"));
+  ASSERT_EQ(run({"replay", path("old.session"), "--by-today", "--session", path("today.session")}), 0) << error_;
+  EXPECT_NE(out_.find("drawn in edition 6"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("of 3 steps 3 came out as recorded, 0 differently, 0 could not be drawn"), std::string::npos)
+      << out_;
+  ASSERT_EQ(run({"replay", path("today.session"), "--json"}), 0) << error_;
+  EXPECT_EQ(json()["state"], state_);
+  EXPECT_EQ(json()["checked"], 3);
+  EXPECT_FALSE(json().contains("by_today"));
+}
+
+TEST_F(ReplayCommand, ByTodaySaysWhatComesOutDifferentlyAndInWhichParts) {
+  std::string text = of_edition(content("drawn.session"), "6");
+  // The second stroke was read otherwise then.
+  std::size_t at = text.find("# penpose state ");
+  at = text.find("# penpose state ", at + 1);
+  text[at + 16] = text[at + 16] == '0' ? '1' : '0';
+  const std::size_t parameters = text.find("parameters=", at) + 11;
+  text[parameters] = text[parameters] == '0' ? '1' : '0';
+  save("old.session", text);
+  ASSERT_EQ(run({"replay", path("old.session"), "--by-today", "--json"}), 0) << "what is different is no failure";
+  const auto told = json()["by_today"];
+  EXPECT_EQ(told["edition"], 6);
+  EXPECT_EQ(told["same_model"], true);
+  EXPECT_EQ(told["strokes"], 2);
+  EXPECT_EQ(told["equal"], 2);
+  EXPECT_EQ(told["different"], 1);
+  ASSERT_EQ(told["steps"].size(), 3U);
+  EXPECT_EQ(told["steps"][1]["stroke"], 2);
+  EXPECT_EQ(told["steps"][1]["came_out"], "different");
+  EXPECT_EQ(told["steps"][1]["parts"], nlohmann::json::array({"parameters"}));
+  EXPECT_EQ(told["steps"][2]["step"], "set_key");
+  EXPECT_EQ(json()["state"], state_);
+  ASSERT_EQ(run({"replay", path("old.session"), "--by-today"}), 0);
+  EXPECT_NE(out_.find("stroke 2 (line "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("different in parameters"), std::string::npos) << out_;
+}
+
+TEST_F(ReplayCommand, ByTodayNamesTheLineOfWhatCannotBeExpressedAndWritesTheRest) {
+  std::string text = of_edition(content("drawn.session"), "6");
+  const std::size_t key = text.find("do set_key");
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(key), '\n');
+  save("old.session", text.replace(key, 10, "do set_kei"));
+  EXPECT_EQ(run({"replay", path("old.session"), "--by-today", "--session", path("today.session")}), 1);
+  EXPECT_NE(error_.find("old.session: line " + std::to_string(line) + ": set_kei could not be drawn by today"),
+            std::string::npos)
+      << error_;
+  EXPECT_EQ(run({"replay", path("today.session"), "--json"}), 0);
+  EXPECT_EQ(json()["strokes"], 2);
 }
 
 }  // namespace
