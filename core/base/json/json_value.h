@@ -28,7 +28,7 @@ struct Member : Value {
   Member(Member&&) noexcept = default;
   ~Member() = default;
   Member& operator=(Member other) noexcept {
-    Value::operator=(static_cast<Value&&>(other));  // as what it is: nlohmann would take a Member for a list of its own
+    Value::operator=(std::move(other));
     return *this;
   }
   std::uint32_t place = 0;  ///< among the members of its object; assigning a value leaves it
