@@ -29,8 +29,8 @@ class ToolCommands : public testing::Test {
   template <typename One>
   One means(const Tool& tool, bool eraser = false) {
     const auto command = meant(tool, eraser);
-    EXPECT_TRUE(command.ok() && std::holds_alternative<One>(*command)) << One::k_called.name;
-    return command.ok() && std::holds_alternative<One>(*command) ? std::get<One>(*command) : One{};
+    EXPECT_TRUE(command.ok() && command->template holds<One>()) << One::k_called.name;
+    return command.ok() && command->template holds<One>() ? *command->template get_if<One>() : One{};
   }
   static Tool tool(ToolKind kind) {
     Tool made;

@@ -132,9 +132,9 @@ TEST(CommandText, IsWrittenAsTheFormatSays) {
 }
 
 TEST(CommandText, MembersThatAreNotGivenAreToldFromThoseThatAre) {
-  const auto none = std::get<ChangeDeformer>(parse_command("change_deformer deformer=a").value());
+  const auto none = *parse_command("change_deformer deformer=a").value().get_if<ChangeDeformer>();
   EXPECT_FALSE(none.mode || none.surface || none.minimum || none.maximum);
-  const auto some = std::get<ChangeDeformer>(parse_command("change_deformer mode=auto surface=none minimum=0").value());
+  const auto some = *parse_command("change_deformer mode=auto surface=none minimum=0").value().get_if<ChangeDeformer>();
   EXPECT_EQ(some.mode, articulation::Mode::automatic);
   EXPECT_TRUE(some.surface.has_value());
   EXPECT_EQ(some.minimum, 0.0);

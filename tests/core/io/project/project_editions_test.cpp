@@ -122,7 +122,7 @@ void sketch(tests::DocumentHand& hand, const std::string& name, double from_y, d
 TEST(ProjectEditions, TheInterpolationOfAnOlderTimelineIsThatOfItsKeys) {
   tests::DocumentHand hand;
   sketch(hand, "bump", 0, 0.2);
-  hand.does(document::SetKey{0});
+  hand.does(document::SetKey{0, {}});
   hand.does(document::SetParameters{{{"bump", 0.5}}});
   hand.does(document::SetKey{1, "up"});
   for (const auto& [interpolation, kind] :
@@ -149,7 +149,7 @@ TEST(ProjectEditions, AControlThatIsBuiltOtherwiseTodayStaysItsShapeAndIsNamedAn
   sketch(hand, "first", 0, 0.2);
   sketch(hand, "second", 0, -0.2);
   hand.does(document::SetParameters{{{"first", -0.5}, {"second", 0.75}, {"lift", 0.125}}});
-  hand.does(document::SetKey{1});
+  hand.does(document::SetKey{1, {}});
   hand.does(document::SetKeyKind{{{1}, {"second"}}, document::KeyKind::stepped});
   const document::Document& drawn = hand.document();
   const auto bytes = changed_project(drawn, [](nlohmann::json& root) {

@@ -195,7 +195,7 @@ TEST(Editions, ALimbIsDrawnAgain) {
   };
   ASSERT_TRUE(script.stroke(line({1.1, 0, 0}, {1.9, 0, 0})));
   ASSERT_TRUE(script.stroke(line({1.08, 0.1, 0}, {1.6, 0.7, 0})));
-  ASSERT_TRUE(script.perform(document::SetKey{0}));
+  ASSERT_TRUE(script.perform(document::SetKey{0, {}}));
   for (const char* edition : {"5", "6"}) {
     std::string text = script.text();
     const std::string now = "edition=" + std::to_string(base::k_edition);
