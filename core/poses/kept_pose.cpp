@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/poses/base64.h"
 
 namespace penpose::poses {
@@ -245,10 +245,10 @@ std::string write_kept_pose(const KeptPose& pose) {
   root["pictures"] = std::move(pictures);
   // A member a line: short enough to be looked at, and without a line for every number.
   std::string text = "{\n";
-  for (const auto* member : json::members_as_made(root)) {
+  for (const auto* member : root.members_as_made()) {
     if (text.size() > 2) text += ",\n";
     json::append_text(text, member->first);
-    text += ": " + json::dump_as_made(member->second);
+    text += ": " + member->second.dump_as_made();
   }
   return text + "\n}\n";
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 
 namespace penpose::speech {
 namespace {

@@ -19,12 +19,12 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <jpeglib.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <unistd.h>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/character/demo_head.h"
 #include "core/io/model/write_model.h"
 #include "ui/files/files.h"

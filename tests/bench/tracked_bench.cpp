@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "core/animation/animate_track.h"
 #include "core/animation/solve/seen_points.h"
-#include "core/base/json/json_value.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/read_track.h"
 #include "core/tracking/track_setup.h"

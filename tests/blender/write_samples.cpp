@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/apply.h"
 #include "core/document/time/animation_building.h"
 #include "core/document/time/animation_sampling.h"

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/character/demo_head.h"
 #include "core/document/commands/apply.h"
 #include "core/document/history.h"

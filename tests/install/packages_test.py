@@ -84,7 +84,7 @@ class Packages(unittest.TestCase):
             found += re.findall(r'(?<!if\(OFF\)\n  )find_dependency\((\w+)\)', text)
             for links in re.findall(r'INTERFACE_LINK_LIBRARIES "([^"]*)"', text):
                 found += [link for link in links.split(';') if '::' not in link]
-        packages = {'glm': 'libglm-dev', 'nlohmann_json': 'nlohmann-json3-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev',
+        packages = {'glm': 'libglm-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev',
                     'meshoptimizer': 'libmeshoptimizer-dev', 'draco': 'libdraco-dev', 'pugixml': 'libpugixml-dev',
                     'z': 'zlib1g-dev'}
         wanted = {packages.get(name.removesuffix('Core').removesuffix('Tools'), name) for name in found if name != 'Threads'}

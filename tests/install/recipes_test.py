@@ -14,7 +14,6 @@ BOARDS = os.path.join(SOURCE, 'ui/install/boards')
 # What CMake or pkg-config calls a library: the packages of Buildroot and of Yocto's layers.
 PACKAGES = {
     'CLI11': ('cli11', 'cli11'), 'JPEG': ('jpeg', 'jpeg'), 'PNG': ('libpng', 'libpng'), 'ZLIB': ('zlib', 'zlib'), 'glm': ('glm', 'glm'),
-    'nlohmann_json': ('json-for-modern-cpp', 'nlohmann-json'),
     'meshoptimizer': ('meshoptimizer', 'meshoptimizer'), 'draco': ('draco', 'draco'), 'libwebp': ('webp', 'libwebp'),
     'libxxhash': ('xxhash', 'xxhash'), 'libevdev': ('libevdev', 'libevdev'), 'hidapi-hidraw': ('hidapi', 'hidapi'),
     'libusb-1.0': ('libusb', 'libusb1'), 'sdl2': ('sdl2', 'libsdl2'), 'fontconfig': ('fontconfig', 'fontconfig'),

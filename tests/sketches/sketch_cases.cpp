@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"
 #include "tests/sketches/other_meshes.h"

@@ -4,10 +4,10 @@
 
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/read_model.h"
 #include "tests/support/shared_data.h"

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
-
-#include "core/base/json/json_value.h"
 
 namespace penpose::tests {
 namespace {

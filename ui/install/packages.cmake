@@ -65,7 +65,7 @@ endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
 set(solver "libmeshoptimizer2d (>= 0.18+dfsg)" "libdraco7 (>= 1.5.5+dfsg)")  # tinygltf is compiled in
-set(headers libglm-dev nlohmann-json3-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev)  # what find_package(penpose) and the C++ headers want
+set(headers libglm-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev)  # what find_package(penpose) and the C++ headers want
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
 list(APPEND solver "zlib1g (>= 1:1.1.4)")
 list(APPEND headers zlib1g-dev)

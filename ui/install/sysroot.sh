@@ -7,7 +7,7 @@ set -euo pipefail
 architecture=$1
 folder=$(mkdir -p "$2" && cd "$2" && pwd)
 shift 2
-[ $# -gt 0 ] || set -- libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev nlohmann-json3-dev libglm-dev libcli11-dev libsdl2-dev libepoxy-dev libdrm-dev libpng-dev libjpeg-dev libwebp-dev \
+[ $# -gt 0 ] || set -- libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev libglm-dev libcli11-dev libsdl2-dev libepoxy-dev libdrm-dev libpng-dev libjpeg-dev libwebp-dev \
   libhidapi-dev libusb-1.0-0-dev libevdev-dev libimgui-dev libstb-dev libfontconfig-dev
 
 # What they run with, and the C library of the same release.

@@ -1,6 +1,5 @@
 #include "ui/serve/animation_json.h"
 
-#include "core/base/json/json_value.h"
 #include "core/base/math.h"
 #include "core/document/document_hash.h"
 #include "core/geometry/rotation.h"

@@ -6,7 +6,6 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/base/json/json_value.h"
 #include "core/base/version.h"
 #include "core/document/commands/command_text.h"
 #include "core/tracking/animate.h"
@@ -384,7 +383,7 @@ std::string Conversation::answer(std::string_view line) {
     if (character_) character_->forget_scratch();
     say({"the memory cannot suffice", "", "ask for less"});
   }
-  return json::dump(out);
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace penpose::serve

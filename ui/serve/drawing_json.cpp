@@ -1,7 +1,5 @@
 #include "ui/serve/drawing_json.h"
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::serve {
 
 using json::Json;

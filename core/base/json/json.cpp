@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include "core/base/json/json_value.h"
 
 namespace penpose::json {
 namespace {
@@ -16,17 +13,18 @@ base::Error at_byte(std::string what, std::size_t offset, std::string remedy) {
 }  // namespace
 
 base::Result<Json> parse_json(base::Bytes bytes) {
-  Json json;
-  const auto refused = read_json(base::as_text(bytes), k_max_json_depth, json);
-  if (!refused) return json;
-  switch (refused->why) {
-    case Refused::Why::depth:
-      return at_byte("JSON nested more than " + std::to_string(k_max_json_depth) + " levels deep", refused->offset,
-                     "the file is damaged or hostile");
-    case Refused::Why::number:
-      return at_byte("JSON with a number that is too large", refused->offset, "the file is damaged; export it again");
-    default:
-      return at_byte("no valid JSON", refused->offset, "the file is damaged; export it again");
+  try {
+    return Json::parse(base::as_text(bytes), k_max_json_depth);
+  } catch (const Json::parse_error& error) {
+    switch (error.fault) {
+      case Json::Fault::depth:
+        return at_byte("JSON nested more than " + std::to_string(k_max_json_depth) + " levels deep", error.byte - 1,
+                       "the file is damaged or hostile");
+      case Json::Fault::number:
+        return at_byte("JSON with a number that is too large", error.byte - 1, "the file is damaged; export it again");
+      default:
+        return at_byte("no valid JSON", error.byte > 0 ? error.byte - 1 : 0, "the file is damaged; export it again");
+    }
   }
 }
 
@@ -46,22 +44,10 @@ std::string child(const std::string& pointer, std::string_view name) {
 
 std::string child(const std::string& pointer, std::size_t index) { return pointer + "/" + std::to_string(index); }
 
-const Json* find(const Json& object, std::string_view name) {
+const Json* find(const Json& object, const char* name) {
+  if (!object.is_object()) return nullptr;
   const auto found = object.find(name);
   return found == object.end() ? nullptr : &*found;
-}
-
-void refuse_access() { throw std::out_of_range("a JSON value has no such member"); }
-
-std::vector<const Json::object_t::value_type*> members_as_made(const Json& value) {
-  std::vector<const Json::object_t::value_type*> members;
-  if (!value.is_object()) return members;
-  const auto& by_name = value.get_ref<const Json::object_t&>();
-  members.reserve(by_name.size());
-  for (const auto& member : by_name) members.push_back(&member);
-  std::stable_sort(members.begin(), members.end(),
-                   [](const auto* a, const auto* b) { return a->second.place < b->second.place; });
-  return members;
 }
 
 std::optional<std::int64_t> whole_number(const Json& value, std::int64_t minimum, std::int64_t maximum) {
@@ -92,7 +78,6 @@ std::optional<double> number(const Json& value) {
 
 void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
                   std::vector<std::string>& skipped) {
-  if (!object.is_object()) return;
   for (const auto& [name, value] : object.items()) {
     if (std::find(known.begin(), known.end(), name) == known.end()) skipped.push_back(child(pointer, name));
   }

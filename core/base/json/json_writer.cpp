@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
 
@@ -64,73 +64,6 @@ void append_escaped(std::string& out, unsigned char c) {
   }
 }
 
-class Writer {
- public:
-  Writer(std::string& out, int indent, bool as_made) : out_(out), indent_(indent), as_made_(as_made) {}
-
-  void write(const Json& value, std::size_t level) {
-    switch (value.type()) {
-      case Json::value_t::boolean:
-        out_ += value.get<bool>() ? "true" : "false";
-        return;
-      case Json::value_t::number_integer:
-        out_ += std::to_string(value.get<std::int64_t>());
-        return;
-      case Json::value_t::number_unsigned:
-        out_ += std::to_string(value.get<std::uint64_t>());
-        return;
-      case Json::value_t::number_float:
-        append_real(out_, value.get<double>());
-        return;
-      case Json::value_t::string:
-        append_text(out_, value.get_ref<const std::string&>());
-        return;
-      case Json::value_t::array:
-        list_all('[', value.get_ref<const Json::array_t&>(), ']', level,
-                 [&](const Json& entry) { write(entry, level + 1); });
-        return;
-      case Json::value_t::object:
-        if (as_made_) {
-          list_all('{', members_as_made(value), '}', level, [&](const auto* member) { write(*member, level + 1); });
-        } else {
-          list_all('{', value.get_ref<const Json::object_t&>(), '}', level,
-                   [&](const auto& member) { write(member, level + 1); });
-        }
-        return;
-      default:
-        out_ += "null";
-    }
-  }
-
- private:
-  void write(const Json::object_t::value_type& member, std::size_t level) {
-    append_text(out_, member.first);
-    out_ += indent_ >= 0 ? ": " : ":";
-    write(static_cast<const Json&>(member.second), level);
-  }
-  /// What stands between brackets; `each` writes one entry.
-  template <typename Entries, typename Each>
-  void list_all(char opening, const Entries& entries, char closing, std::size_t level, const Each& each) {
-    out_ += opening;
-    bool first = true;
-    for (const auto& entry : entries) {
-      if (!first) out_ += ',';
-      first = false;
-      begin_line(level + 1);
-      each(entry);
-    }
-    if (!first) begin_line(level);
-    out_ += closing;
-  }
-  void begin_line(std::size_t deep) {
-    if (indent_ >= 0) out_.append(1, '\n').append(deep * static_cast<std::size_t>(indent_), ' ');
-  }
-
-  std::string& out_;
-  int indent_;
-  bool as_made_;
-};
-
 }  // namespace
 
 void append_text(std::string& out, std::string_view text) {
@@ -158,16 +91,69 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
-std::string dump(const Json& value, int indent) {
+std::string Json::dump(int indent, char, bool, error_handler_t) const {
   std::string out;
-  Writer(out, indent, false).write(value, 0);
+  write(out, indent, 0, Order::by_name);
   return out;
 }
 
-std::string dump_as_made(const Json& value, int indent) {
+std::string Json::dump_as_made(int indent) const {
   std::string out;
-  Writer(out, indent, true).write(value, 0);
+  write(out, indent, 0, Order::as_made);
   return out;
+}
+
+void Json::write(std::string& out, int indent, std::size_t level, Order order) const {
+  const auto line = [&](std::size_t deep) {
+    if (indent >= 0) out.append(1, '\n').append(deep * static_cast<std::size_t>(indent), ' ');
+  };
+  // What stands between brackets; `each` writes one entry.
+  const auto list_all = [&](char opening, const auto& entries, char closing, const auto& each) {
+    out += opening;
+    bool first = true;
+    for (const auto& entry : entries) {
+      if (!first) out += ',';
+      first = false;
+      line(level + 1);
+      each(entry);
+    }
+    if (!first) line(level);
+    out += closing;
+  };
+  const auto write_member = [&](const object_t::value_type& member) {
+    append_text(out, member.first);
+    out += indent >= 0 ? ": " : ":";
+    member.second.write(out, indent, level + 1, order);
+  };
+  switch (type_) {
+    case value_t::boolean:
+      out += held_.boolean ? "true" : "false";
+      return;
+    case value_t::number_integer:
+      out += std::to_string(held_.integer);
+      return;
+    case value_t::number_unsigned:
+      out += std::to_string(held_.natural);
+      return;
+    case value_t::number_float:
+      append_real(out, held_.real);
+      return;
+    case value_t::string:
+      append_text(out, *held_.text);
+      return;
+    case value_t::array:
+      list_all('[', *held_.list, ']', [&](const Json& entry) { entry.write(out, indent, level + 1, order); });
+      return;
+    case value_t::object:
+      if (order == Order::by_name) {
+        list_all('{', *held_.members, '}', write_member);
+      } else {
+        list_all('{', members_as_made(), '}', [&](const auto* member) { write_member(*member); });
+      }
+      return;
+    default:
+      out += "null";
+  }
 }
 
 }  // namespace penpose::json

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 
@@ -22,9 +21,11 @@ bool is_no_number(std::string_view word) {
   }
   // Anything that is not finite has an exponent or is very long.
   if (word.find_first_of("eE") == std::string_view::npos && word.size() < 300) return false;
-  Json value;
-  const auto refused = read_json(word, 0, value);
-  return refused ? refused->why == Refused::Why::number : value.is_null();
+  try {
+    return Json::parse(word).is_null();
+  } catch (const Json::parse_error& error) {
+    return error.fault == Json::Fault::number;
+  }
 }
 
 /// The text with null in the place of such words. `grown`: where in it a word became longer by one byte.

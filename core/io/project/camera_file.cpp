@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 
 namespace penpose::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 
 namespace penpose::io {
 namespace {

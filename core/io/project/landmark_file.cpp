@@ -1,6 +1,6 @@
 #include "core/io/project/landmark_file.h"
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 
 namespace penpose::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/io/project/internal/sketch_json.h"
 
 namespace penpose::io {
@@ -71,19 +71,21 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
 }
 
 std::string write_sketch_file(const SketchFile& file) {
-  std::string text = "{\"model\": " + json::dump(file.model) + ", \"viewport\": " + json::dump(to_json(file.viewport)) +
-                     ", \"deformers\": [";
+  std::string text =
+      "{\"model\": " + json::Json(file.model).dump(-1, ' ', false, json::Json::error_handler_t::replace) +
+      ", \"viewport\": " + to_json(file.viewport).dump() + ", \"deformers\": [";
   for (std::size_t i = 0; i < file.sketches.size(); ++i) {
     const Viewports viewports = file.sketches[i].viewport == file.viewport ? Viewports::shared : Viewports::each;
     text += i == 0 ? "\n" : ",\n";
-    text += json::dump(to_json(file.sketches[i], viewports));
+    text += to_json(file.sketches[i], viewports).dump(-1, ' ', false, json::Json::error_handler_t::replace);
   }
   if (file.corrections.empty()) return text + "\n]}\n";
   text += "\n], \"corrections\": [";
   for (std::size_t i = 0; i < file.corrections.size(); ++i) {
     const auto& sketch = file.corrections[i].sketch;
     const Viewports viewports = sketch.viewport == file.viewport ? Viewports::shared : Viewports::each;
-    text += (i == 0 ? "\n" : ",\n") + json::dump(to_json(file.corrections[i], viewports));
+    text += (i == 0 ? "\n" : ",\n") +
+            to_json(file.corrections[i], viewports).dump(-1, ' ', false, json::Json::error_handler_t::replace);
   }
   return text + "\n]}\n";
 }

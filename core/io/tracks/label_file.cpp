@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/base/json/loose_json.h"
 #include "core/io/tracks/read_track.h"
 
@@ -119,7 +118,9 @@ std::string write_curve_track(const animation::PointTrack& track, double fps) {
     }
     frames.push_back({{"confidence", frame.confidence}, {"curves", std::move(curves)}});
   }
-  return json::dump({{"fps", fps}, {"frames", std::move(frames)}}) + "\n";
+  return json::Json{{"fps", fps}, {"frames", std::move(frames)}}.dump(-1, ' ', false,
+                                                                      json::Json::error_handler_t::replace) +
+         "\n";
 }
 
 }  // namespace penpose::io

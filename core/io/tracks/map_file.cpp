@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/io/tracks/track_formats.h"
 
 namespace penpose::io {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "firmware_io/decode/layout/layout_decoder.h"
 #include "firmware_io/decode/table/embedded_files.h"
 

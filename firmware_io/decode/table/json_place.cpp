@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "core/base/text/joined.h"
 
@@ -40,25 +39,23 @@ std::string pointer_to(const std::string& pointer, std::string_view name) {
 
 base::Result<json::Json> parse_json(std::string_view text) {
   if (text.size() > k_longest_document) return base::Error{"is longer than 16 MiB", "", "name a tablet file"};
-  json::Json value;
-  const auto refused = json::read_json(text, k_deepest, value);
-  if (!refused) return value;
-  return base::Error{refused->why == json::Refused::Why::depth ? "is nested more than 32 deep" : "is no JSON",
-                     "byte " + std::to_string(refused->offset), "check it with a JSON validator"};
+  try {
+    return json::Json::parse(text, k_deepest);
+  } catch (const json::Json::parse_error& error) {
+    return base::Error{error.fault == json::Json::Fault::depth ? "is nested more than 32 deep" : "is no JSON",
+                       "byte " + std::to_string(error.byte > 0 ? error.byte - 1 : 0), "check it with a JSON validator"};
+  }
 }
 
 void JsonPlace::expect_object() const {
   if (present() && !value_->is_object()) fail("is no object", "put { } around its members");
 }
 
-bool JsonPlace::present() const { return !value_->is_null(); }
-bool JsonPlace::is_text() const { return value_->is_string(); }
-bool JsonPlace::is_array() const { return value_->is_array(); }
-
 JsonPlace JsonPlace::at(std::string_view name) const {
   expect_object();
-  const json::Json* found = json::find(*value_, name);
-  return {found == nullptr ? missing_value() : *found, *error_, pointer_to(pointer_, name)};
+  const auto& members = value_->items();
+  const auto found = members.find(name);
+  return {found == members.end() ? missing_value() : found->second, *error_, pointer_to(pointer_, name)};
 }
 
 std::vector<JsonPlace> JsonPlace::items() const {
@@ -75,7 +72,7 @@ std::vector<JsonPlace> JsonPlace::items() const {
 std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
   expect_object();
   std::vector<std::pair<std::string, JsonPlace>> places;
-  for (const auto* member : json::members_as_made(*value_)) {
+  for (const auto* member : value_->members_as_made()) {
     places.emplace_back(member->first, JsonPlace{member->second, *error_, pointer_to(pointer_, member->first)});
   }
   return places;
@@ -121,7 +118,7 @@ bool JsonPlace::boolean() const {
 
 void JsonPlace::allow_only(std::initializer_list<std::string_view> names) const {
   expect_object();
-  for (const auto* member : json::members_as_made(*value_)) {
+  for (const auto* member : value_->members_as_made()) {
     const auto& [name, value] = *member;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     JsonPlace{value, *error_, pointer_to(pointer_, name)}.fail("is not known here", "known are " + base::joined(names));

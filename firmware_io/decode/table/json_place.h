@@ -25,9 +25,9 @@ class JsonPlace {
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
   /// False for a missing member and for null.
-  [[nodiscard]] bool present() const;
-  [[nodiscard]] bool is_text() const;
-  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool present() const { return !value_->is_null(); }
+  [[nodiscard]] bool is_text() const { return value_->is_string(); }
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
 
   /// The member of that name; a missing place when there is none.
   [[nodiscard]] JsonPlace at(std::string_view name) const;

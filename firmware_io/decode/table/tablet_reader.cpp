@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/table/device_strings.h"

@@ -1,9 +1,9 @@
 #include "firmware_io/device/list/interface_list.h"
 
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/base/json/json_value.h"
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/list/tablet_watch.h"
 #include "firmware_io/device/live_tablet.h"

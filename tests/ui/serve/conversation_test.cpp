@@ -1,8 +1,8 @@
 #include "ui/serve/conversation.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "replay/session/session_player.h"
 #include "tests/support/models/laughing_head.h"
 #include "tests/support/models/sheet_model.h"

@@ -6,7 +6,7 @@
 
 #include "core/articulation/edit.h"
 #include "core/articulation/measure/doubts.h"
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -225,7 +225,7 @@ int articulate(const ArticulateArguments& arguments) {
                          {"deformers", std::move(rows)},
                          {"corrections", std::move(corrections)},
                          {"state", document::DocumentHasher()(*result).whole.hex()}};
-    std::cout << json::dump_as_made(object) << '\n';
+    std::cout << object.dump_as_made() << '\n';
   }
   return k_success;
 }

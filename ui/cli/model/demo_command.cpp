@@ -3,7 +3,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/document/document_hash.h"
 #include "ui/cli/subcommand.h"
@@ -141,7 +141,7 @@ int run_demo_command(const DemoArguments& arguments) {
   written.picture_ms = ms_since(before_pictures);
   written.total_ms = ms_since(start);
   if (arguments.json) {
-    std::cout << json::dump_as_made(to_json(*made, written)) << '\n';
+    std::cout << to_json(*made, written).dump_as_made() << '\n';
   } else {
     print(*made, written);
   }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -277,7 +277,7 @@ int run_info(const InfoArguments& arguments) {
       out["up"] = Json(up);
       out["up_in_doubt"] = Json(arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model));
     }
-    std::cout << json::dump_as_made(out) << '\n';
+    std::cout << out.dump_as_made() << '\n';
   } else {
     print(model, doubles, contents, arguments);
   }

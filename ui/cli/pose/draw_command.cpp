@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/commands/apply.h"
@@ -152,7 +152,7 @@ void print_json(const DrawArguments& arguments, const std::vector<Sheet>& sheets
     add_sheet(out, sheets.front(), neutral, rig, curves);
   }
   out["state"] = document::DocumentHasher()(after).whole.hex();
-  std::cout << json::dump_as_made(out) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 /// The document in the pose of a single drawing, or with a key for each, in the pose of the first of them. Errors: the

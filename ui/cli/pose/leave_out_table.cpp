@@ -6,7 +6,7 @@
 #include <iostream>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 
@@ -96,7 +96,7 @@ void print_left_out_json(const std::string& model, std::span<const document::Pos
     all[column.key] = together(rows, column.left);
   }
   const Json out = {{"model", model}, {"keys", std::move(list)}, {"median", medians}, {"all", all}};
-  std::cout << json::dump_as_made(out) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 }  // namespace penpose::cli

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <optional>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -211,7 +211,7 @@ int pose(const PoseArguments& arguments) {
     document->pose = solved.back().solution.pose;
     const Json result = {
         {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
-    std::cout << json::dump_as_made(result) << '\n';
+    std::cout << result.dump_as_made() << '\n';
   } else {
     for (const SolvedCase& one : solved) print_row(one, model);
   }

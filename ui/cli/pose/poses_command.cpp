@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/features/feature_curves.h"
@@ -67,7 +67,7 @@ int list(const PosesArguments& arguments) {
       std::cout << base::shown_name(pose->name) << "  of " << base::shown_name(pose->model) << "  " << path << '\n';
     }
   }
-  if (arguments.json) std::cout << json::dump_as_made(listed) << '\n';
+  if (arguments.json) std::cout << listed.dump_as_made() << '\n';
   return k_success;
 }
 
@@ -124,7 +124,7 @@ void print(const poses::KeptPose& pose, const poses::TakenPose& taken, const rig
   out["values"] = std::move(values);
   out["missing"] = Json(taken.missing);
   out["clamped"] = Json(taken.clamped);
-  std::cout << json::dump_as_made(out) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 int take(const PosesArguments& arguments, document::Document& document) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
 #include "core/base/text/shown_text.h"
@@ -178,7 +178,7 @@ void print_json(const SuggestArguments& arguments, const document::Document& bef
                     {"shrinkage", suggestion.shrinkage}, {"strength", suggestion.command.strength},
                     {"held", suggestion.command.held},   {"suggested", std::move(suggested)},
                     {"parameters", std::move(all)},      {"state", document::DocumentHasher()(after).whole.hex()}};
-  std::cout << json::dump_as_made(out) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 /// The document with the pose that `--set` asks for; what was set is held.

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "firmware_io/decode/hand_factory.h"
@@ -175,7 +175,7 @@ int list_known(const Options& options, const decode::TabletTable& own) {
   if (!own.is_choice()) add(decode::known_tablets().tablets());
   if (options.json) {
     const Json out{{"count", count}, {"tablets", std::move(list)}};
-    std::cout << json::dump_as_made(out, 2) << '\n';
+    std::cout << out.dump_as_made(2) << '\n';
   } else {
     std::cout << count << (count == 1 ? " tablet\n" : " tablets\n");
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/text/shown_text.h"
 #include "firmware_io/device/list/interface_list.h"
 #include "firmware_io/device/list/permission.h"
@@ -141,7 +141,7 @@ int list_live_devices(const decode::TabletTable& own, bool json) {
     Json list = Json::array();
     for (const auto& tablet : tablets) list.push_back(to_json(tablet));
     const Json out{{"count", tablets.size()}, {"tablets", std::move(list)}, {"draw", to_json(render::ways_here())}};
-    std::cout << json::dump_as_made(out, 2) << '\n';
+    std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
   for (const auto& tablet : tablets) print(tablet);

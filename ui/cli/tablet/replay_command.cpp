@@ -5,7 +5,7 @@
 #include <iostream>
 #include <optional>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/base/version.h"
@@ -325,7 +325,7 @@ int replay_session(const ReplayArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << json::dump_as_made(to_json(arguments, *played, seconds)) << '\n';
+    std::cout << to_json(arguments, *played, seconds).dump_as_made() << '\n';
   } else {
     print(arguments, *played, seconds);
     if (played->redrawn) print(*played->redrawn);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/io/model/model_formats.h"
@@ -209,7 +208,7 @@ int animate(const AnimateArguments& arguments) {
   for (const std::string& note : document->model->notes) files::warn(note, arguments.model);
   for (const std::string& note : animated->notes) files::warn(note, arguments.track);
   if (arguments.json) {
-    std::cout << json::dump_as_made(serve::animation_json(*animated, solve_us)) << '\n';
+    std::cout << serve::animation_json(*animated, solve_us).dump_as_made() << '\n';
   } else {
     print(*animated, solve_us);
   }

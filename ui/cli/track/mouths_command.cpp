@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -129,7 +129,7 @@ int speak(const MouthArguments& arguments) {
       return files::report(saved.error(), arguments.out);
   }
   if (arguments.json) {
-    std::cout << json::dump_as_made(json_of(history.document(), *keys)) << '\n';
+    std::cout << json_of(history.document(), *keys).dump_as_made() << '\n';
     return k_success;
   }
   for (const document::SpokenMouth& key : *keys)

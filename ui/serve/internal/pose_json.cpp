@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::serve {
 
 using json::Json;

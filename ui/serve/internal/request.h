@@ -34,7 +34,7 @@ struct Request {
 
   /// Ends the line where it has a member that is none of these: a misspelt one would count for nothing.
   void allow(std::initializer_list<std::string_view> names) const;
-  [[nodiscard]] bool has(const char* name) const { return json::find(json, name) != nullptr; }
+  [[nodiscard]] bool has(const char* name) const { return json.contains(name); }
   [[nodiscard]] std::string at(std::string_view name) const { return json::child(place, name); }
   [[nodiscard]] const json::Json& need(const char* name) const;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/edition.h"
-#include "core/base/json/json_value.h"
 #include "core/io/project/internal/sketch_json.h"
 
 namespace penpose::io {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/animation_hash.h"
 #include "core/io/gltf/read/uri/uri.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/edition.h"
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {
@@ -102,7 +102,7 @@ GltfContents gltf_contents(base::Bytes bytes) {
   }
   // Extensions of the root that the lists forget.
   if (const Json* extensions = json::find(*root, "extensions"); extensions != nullptr && extensions->is_object()) {
-    for (const auto& extension : extensions->items()) tell(extension.key());
+    for (const auto& extension : extensions->items()) tell(extension.first);
   }
   if (const std::size_t cameras = count_of(*root, "cameras"); cameras > 0) {
     contents.passed_through.push_back(std::to_string(cameras) + (cameras == 1 ? " camera" : " cameras"));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/json/json_value.h"
 #include "core/base/text/letters.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/internal/gltf_source.h"

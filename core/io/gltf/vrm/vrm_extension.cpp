@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {

@@ -1,7 +1,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/internal/gltf_document.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/model_formats.h"

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/document/source_file.h"
 #include "core/io/gltf/read/internal/gltf_document.h"
 #include "core/io/gltf/write/patch/patch_container.h"

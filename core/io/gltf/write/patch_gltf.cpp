@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/vrm/vrm_extension.h"
 #include "core/io/gltf/write/patch/patch_animations.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/base/json/json_value.h"
 #include "core/geometry/rotation.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_document.h"

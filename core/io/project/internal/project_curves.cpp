@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/command_text.h"
 #include "core/document/time/timeline.h"
 

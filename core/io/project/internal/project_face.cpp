@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/curve/polyline.h"
 #include "core/document/commands/command_text.h"
 

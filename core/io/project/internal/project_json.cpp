@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command_text.h"
 #include "core/io/project/internal/project_curves.h"

@@ -3,8 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::io {
 namespace {
 

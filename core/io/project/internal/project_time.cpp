@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/text_form.h"
 #include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline_editing.h"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/command_text.h"
 
 namespace penpose::io {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 #include "core/document/drawing/pose_curve.h"
 

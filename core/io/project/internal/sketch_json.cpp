@@ -3,7 +3,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/base/json/json_value.h"
 #include "core/base/members.h"
 
 namespace penpose::io {

@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <optional>
 
-#include "core/base/json/json_value.h"
 #include "core/base/json/loose_json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/json/json_value.h"
 #include "core/base/json/loose_json.h"
 #include "core/curve/polyline.h"
 #include "core/io/tracks/point_table.h"

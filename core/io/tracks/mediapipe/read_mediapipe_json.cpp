@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"

@@ -1,6 +1,5 @@
 #include "core/io/tracks/values/json_values.h"
 
-#include "core/base/json/json_value.h"
 #include "core/base/json/loose_json.h"
 #include "core/base/numbers.h"
 #include "core/io/text/text_lines.h"

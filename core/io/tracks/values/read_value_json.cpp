@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/io/tracks/read_track.h"

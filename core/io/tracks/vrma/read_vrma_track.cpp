@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/json/json_value.h"
 #include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
 #include "core/document/humanoid_rest.h"

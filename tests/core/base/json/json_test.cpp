@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::json {
 namespace {
 

@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::json {
 namespace {
 
 std::string read(const char* text) {
   const auto json = parse_loose_json(base::as_bytes(std::string_view(text)));
-  return json ? dump(*json) : json.error().place;
+  return json ? json->dump() : json.error().place;
 }
 
 TEST(LooseJson, WhatIsNoNumberIsNull) {

@@ -1,8 +1,8 @@
 #include "core/io/project/case_file.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/io/model/read_model.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/shared_data.h"

@@ -3,9 +3,9 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/base/edition.h"
-#include "core/base/json/json_value.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"

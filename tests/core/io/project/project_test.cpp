@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/write_model.h"
@@ -195,15 +195,19 @@ TEST(Project, APlainModelIsADocumentThatNothingWasDoneTo) {
 
 const std::string k_at = "/extras/penpose/project";
 
-base::Result<Document> read(const json::Json& project) {
+/// What is changed is changed as nlohmann's value, which can name any place.
+json::Json ours(const nlohmann::json& value) { return json::parse_json(base::as_bytes(value.dump())).value(); }
+
+base::Result<Document> read(const nlohmann::json& project) {
   const Document document = full_hand().document();
-  return read_project(project, k_at, *document.model);
+  return read_project(ours(project), k_at, *document.model);
 }
 
-json::Json full_project() { return project_to_json(full_hand().document()); }
+nlohmann::json full_project() { return nlohmann::json::parse(project_to_json(full_hand().document()).dump()); }
 
 /// Pointers to every member and item, the first two of every list.
-void gather(const json::Json& value, const json::Json::json_pointer& at, std::vector<json::Json::json_pointer>& out) {
+void gather(const nlohmann::json& value, const nlohmann::json::json_pointer& at,
+            std::vector<nlohmann::json::json_pointer>& out) {
   if (value.is_object()) {
     for (const auto& [name, member] : value.items()) {
       out.push_back(at / name);
@@ -221,17 +225,17 @@ TEST(ProjectJson, IsReadBackAsItIsWritten) {
   const auto document = read(full_project());
   ASSERT_TRUE(document.ok()) << document.error().line();
   // As values: the other library does not always write the shortest decimals.
-  EXPECT_TRUE(project_to_json(*document) == full_project());
+  EXPECT_TRUE(nlohmann::json::parse(project_to_json(*document).dump()) == full_project());
 }
 
 TEST(ProjectJson, WhateverIsMissingOrOfAnotherTypeIsToldWithItsPlace) {
-  const json::Json project = full_project();
-  std::vector<json::Json::json_pointer> places;
-  gather(project, json::Json::json_pointer(), places);
+  const nlohmann::json project = full_project();
+  std::vector<nlohmann::json::json_pointer> places;
+  gather(project, nlohmann::json::json_pointer(), places);
   EXPECT_GT(places.size(), 70U);
   const document::Model model = *full_hand().document().model;
-  const auto check = [&](const json::Json& changed, const std::string& what, bool must_fail) {
-    const auto document = read_project(changed, k_at, model);
+  const auto check = [&](const nlohmann::json& changed, const std::string& what, bool must_fail) {
+    const auto document = read_project(ours(changed), k_at, model);
     if (document) {
       EXPECT_FALSE(must_fail) << what;
       // What is accepted can be worked with and saved.
@@ -241,60 +245,62 @@ TEST(ProjectJson, WhateverIsMissingOrOfAnotherTypeIsToldWithItsPlace) {
     EXPECT_TRUE(document.error().place.starts_with(k_at)) << what << ": " << document.error().line();
     EXPECT_FALSE(document.error().what.empty() || document.error().remedy.empty()) << what;
   };
-  const std::vector<json::Json> others{nullptr, true,   -1,        0, 1e300, 0.5, "x", json::Json::array(),
-                                       {{}},    {1, 2}, {{"a", 1}}};
+  const std::vector<nlohmann::json> others{nullptr, true,   -1,        0, 1e300, 0.5, "x", nlohmann::json::array(),
+                                           {{}},    {1, 2}, {{"a", 1}}};
   for (const auto& place : places) {
-    json::Json changed = project;
+    nlohmann::json changed = project;
     if (place.back().find_first_not_of("0123456789") == std::string::npos) {
       changed[place.parent_pointer()].erase(std::stoul(place.back()));
     } else {
       changed[place.parent_pointer()].erase(place.back());
     }
     check(changed, "without " + place.to_string(), false);
-    for (const json::Json& other : others) {
+    for (const nlohmann::json& other : others) {
       changed = project;
       const bool same_type = other.type_name() == std::string(changed[place].type_name());
       changed[place] = other;
       check(changed, place.to_string() + " = " + other.dump(), !same_type);
     }
   }
-  for (const json::Json& other : others) {
+  for (const nlohmann::json& other : others) {
     if (!other.is_object()) check(other, other.dump(), true);
   }
 }
 
 TEST(ProjectJson, ErrorsSayWhereTheyAre) {
-  const auto place_of = [](const std::function<void(json::Json&)>& change) {
-    json::Json project = full_project();
+  const auto place_of = [](const std::function<void(nlohmann::json&)>& change) {
+    nlohmann::json project = full_project();
     change(project);
     const auto document = read(project);
     EXPECT_FALSE(document.ok());
     return document.ok() ? std::string() : document.error().place.substr(k_at.size());
   };
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["id"] = 0; }), "/curves/0/id");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][1]["id"] = 1; }), "/curves/1/id") << "used twice";
-  EXPECT_EQ(place_of([](json::Json& p) { p["last_curve"] = 2; }), "/curves/1/id");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["role"] = "pin"; }), "/curves/0/role");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["points"][3][0] = 392; }), "/curves/0/points/3");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["points"][3] = {0, 2, -1, 0}; }), "/curves/0/points/3");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["view"] = "front"; }), "/curves/0/target/view");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["line"][1][2] = 1.5; }), "/curves/0/target/line/1");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["points"][1][3] = -1; }),
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["id"] = 0; }), "/curves/0/id");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][1]["id"] = 1; }), "/curves/1/id") << "used twice";
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["last_curve"] = 2; }), "/curves/1/id");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["role"] = "pin"; }), "/curves/0/role");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["points"][3][0] = 392; }), "/curves/0/points/3");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["points"][3] = {0, 2, -1, 0}; }), "/curves/0/points/3");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["target"]["view"] = "front"; }), "/curves/0/target/view");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["target"]["line"][1][2] = 1.5; }),
+            "/curves/0/target/line/1");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["target"]["points"][1][3] = -1; }),
             "/curves/0/target/points/1");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][0]["target"]["points"].erase(0); }), "/curves/0/target");
-  EXPECT_EQ(place_of([](json::Json& p) { p["curves"][1]["target"] = p["curves"][0]["target"]; }), "/curves/1/target");
-  EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["time_s"] = 0.1; }), "/timeline/keys/1/time_s");
-  EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["pose"].erase(0); }), "/timeline/keys/1/pose");
-  EXPECT_EQ(place_of([](json::Json& p) { p["timeline"]["keys"][1]["name"] = 3; }), "/timeline/keys/1/name");
-  EXPECT_EQ(place_of([](json::Json& p) { p["locked"][0] = 3; }), "/locked/0");
-  EXPECT_EQ(place_of([](json::Json& p) { p["views"][1]["name"] = "front/top"; }), "/views/1/name");
-  EXPECT_EQ(place_of([](json::Json& p) { p["time_s"] = 36001; }), "/time_s");
-  EXPECT_EQ(place_of([](json::Json& p) { p["pending"][1] = "clear_curves"; }), "/pending/1") << "only a sketch";
-  EXPECT_EQ(place_of([](json::Json& p) { p["pending"][0] = "begin_deformer name=lift"; }), "/pending/0");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][0]["target"]["points"].erase(0); }), "/curves/0/target");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["curves"][1]["target"] = p["curves"][0]["target"]; }),
+            "/curves/1/target");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["timeline"]["keys"][1]["time_s"] = 0.1; }), "/timeline/keys/1/time_s");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["timeline"]["keys"][1]["pose"].erase(0); }), "/timeline/keys/1/pose");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["timeline"]["keys"][1]["name"] = 3; }), "/timeline/keys/1/name");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["locked"][0] = 3; }), "/locked/0");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["views"][1]["name"] = "front/top"; }), "/views/1/name");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["time_s"] = 36001; }), "/time_s");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["pending"][1] = "clear_curves"; }), "/pending/1") << "only a sketch";
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["pending"][0] = "begin_deformer name=lift"; }), "/pending/0");
 }
 
 TEST(ProjectJson, ALockOfAParameterThatIsGoneIsForgotten) {
-  json::Json project = full_project();
+  nlohmann::json project = full_project();
   project["locked"] = {"up", "gone", "base.rx", "up"};
   EXPECT_EQ(read(project).value().locked, (std::vector<std::string>{"base.rx", "up"}));
 }

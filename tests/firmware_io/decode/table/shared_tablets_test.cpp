@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "tests/support/shared_data.h"

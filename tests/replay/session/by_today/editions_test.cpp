@@ -58,8 +58,7 @@ Recorded recorded_in(const std::string& text) {
   std::istringstream lines(text);
   bool command = false;
   for (std::string line; std::getline(lines, line);) {
-    const bool is_command =
-        line.starts_with("# penpose do ") || line == "# penpose undo" || line == "# penpose redo";
+    const bool is_command = line.starts_with("# penpose do ") || line == "# penpose undo" || line == "# penpose redo";
     const bool is_state = line.starts_with("# penpose state ");
     out.steps += is_command || (is_state && !command) ? 1 : 0;
     out.strokes += is_state && !command ? 1 : 0;
@@ -97,7 +96,8 @@ TEST(Editions, OlderSessionsAreRefusedWithOneLineThatNamesTheRemedy) {
 }
 
 class EachEdition : public testing::TestWithParam<std::uint32_t> {};
-INSTANTIATE_TEST_SUITE_P(Editions, EachEdition, testing::Range(1U, base::k_edition + 1), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Editions, EachEdition, testing::Range(1U, base::k_edition + 1),
+                         testing::PrintToStringParamName());
 
 /// A session drawn by today, and what was written down meanwhile.
 struct Drawn {

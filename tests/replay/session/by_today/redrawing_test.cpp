@@ -75,9 +75,9 @@ TEST(Redrawing, AKeyThatWasNotMovedOntoAnotherIsNotMovedToday) {
 }
 
 TEST(Redrawing, TheInterpolationOfATimelineIsThatOfItsKeysAndOfThoseToCome) {
-  EXPECT_EQ(keys_of(played(session({"do set_key", "do set_key_interpolation interpolation=linear",
-                                    "do set_key time_s=1"}))),
-            "0.00 linear, 1.00 linear");
+  EXPECT_EQ(
+      keys_of(played(session({"do set_key", "do set_key_interpolation interpolation=linear", "do set_key time_s=1"}))),
+      "0.00 linear, 1.00 linear");
   EXPECT_EQ(keys_of(played(session({"do set_key_interpolation interpolation=linear", "do set_key",
                                     "do set_key_interpolation", "do set_key time_s=1"}))),
             "0.00 smooth, 1.00 smooth");

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/sketch_file.h"
 #include "core/io/project/write_document.h"

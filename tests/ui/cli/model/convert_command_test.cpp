@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"
 #include "tests/support/command_run.h"

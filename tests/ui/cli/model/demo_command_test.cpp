@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/command_run.h"
 
 namespace penpose::cli {

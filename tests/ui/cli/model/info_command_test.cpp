@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/io/model/write_model.h"
 #include "tests/support/command_run.h"
 #include "tests/support/models/figure_sample.h"

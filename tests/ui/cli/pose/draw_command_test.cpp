@@ -2,10 +2,10 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/character/demo_head.h"
 #include "core/document/features/feature_curves.h"
 #include "core/io/picture_lines/svg/write_svg_lines.h"

@@ -3,10 +3,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/document/document_hash.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"

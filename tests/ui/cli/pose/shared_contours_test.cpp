@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/command_run.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/commands.h"

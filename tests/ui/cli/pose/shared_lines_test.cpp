@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/command_run.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/commands.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/document/commands/apply.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"

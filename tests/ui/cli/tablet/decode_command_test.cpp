@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/decode_run.h"
 #include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/pen_path.h"

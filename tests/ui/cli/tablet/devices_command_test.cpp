@@ -4,11 +4,11 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/command_run.h"
 
 namespace penpose::cli {

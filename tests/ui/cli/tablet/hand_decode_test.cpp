@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "tests/support/decode_run.h"
 #include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/trace_text.h"

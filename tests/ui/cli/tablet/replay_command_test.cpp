@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "core/base/edition.h"
-#include "core/base/json/json_value.h"
 #include "core/document/document_hash.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/read_document.h"

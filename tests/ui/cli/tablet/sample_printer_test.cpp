@@ -1,8 +1,7 @@
 #include "ui/cli/tablet/sample_printer.h"
 
 #include <gtest/gtest.h>
-
-#include "core/base/json/json_value.h"
+#include <nlohmann/json.hpp>
 
 namespace penpose::cli {
 namespace {

@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/document/document_hash.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/project/write_document.h"

@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "core/base/json/json_value.h"
 #include "core/sound/read/read_sound.h"
 #include "tests/support/command_run.h"
 #include "tests/support/sound_files.h"

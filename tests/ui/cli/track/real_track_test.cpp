@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "core/animation/animate_track.h"
-#include "core/base/json/json_value.h"
 #include "core/io/project/landmark_file.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/read_track.h"

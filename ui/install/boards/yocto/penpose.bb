@@ -5,7 +5,7 @@ LIC_FILES_CHKSUM = "file://LICENSE;md5=0b0b962e80869657eef2f26e3c0b060d"
 # Where the source tree is: EXTERNALSRC:pn-penpose = "/path/to/penpose" in local.conf.
 inherit externalsrc cmake pkgconfig useradd ${@bb.utils.filter('DISTRO_FEATURES', 'systemd', d)}
 
-DEPENDS = "cli11 draco glm jpeg libpng libwebp meshoptimizer nlohmann-json pugixml tinygltf xxhash zlib"
+DEPENDS = "cli11 draco glm jpeg libpng libwebp meshoptimizer pugixml tinygltf xxhash zlib"
 
 PACKAGECONFIG ??= "devices"
 PACKAGECONFIG[devices] = "-DPENPOSE_DEVICES=ON,-DPENPOSE_DEVICES=OFF,libevdev"

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/compression/draco_stream.h"
 #include "core/io/gltf/read/compression/meshopt_stream.h"
 #include "core/io/remedies.h"

@@ -5,7 +5,6 @@
 #include <new>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/compression/unpack_gltf.h"
 #include "core/io/gltf/read/internal/gltf_schema.h"
 #include "core/io/gltf/read/uri/uri.h"
@@ -161,7 +160,7 @@ base::Status load_buffers(GltfDocument& document, const Container& container, co
 base::Status read_structure(GltfDocument& document, const json::Json& vetted) {
   const base::Error failed{"the structure of the document cannot be read", "/", k_truncated};
   try {
-    if (!parse_structure(json::dump(vetted), document.model)) return failed;
+    if (!parse_structure(vetted.dump(), document.model)) return failed;
   } catch (const std::bad_alloc&) {
     throw;  // no fault of what is read
   } catch (const std::exception&) {

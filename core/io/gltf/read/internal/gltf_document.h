@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/byte_reader.h"
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 #include "core/io/gltf/read/internal/own_tinygltf.h"
 #include "core/io/model/read_model.h"

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "core/base/json/json_value.h"
 #include "core/base/text/utf8.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 

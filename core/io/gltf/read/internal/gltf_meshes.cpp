@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
 #include "core/io/remedies.h"

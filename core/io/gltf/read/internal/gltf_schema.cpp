@@ -7,7 +7,6 @@
 #include <limits>
 #include <span>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/internal/checks/gltf_checks.h"
 #include "core/io/remedies.h"
 

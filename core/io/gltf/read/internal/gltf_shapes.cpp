@@ -5,7 +5,6 @@
 #include <map>
 #include <numeric>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
 #include "core/io/text/names.h"
 

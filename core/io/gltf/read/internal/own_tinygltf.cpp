@@ -9,21 +9,10 @@
 
 #include "core/base/json/json_value.h"
 
-// The type that tinygltf, which asks for nlohmann::json, finds first.
-namespace {
-namespace nlohmann {
+namespace json_of_penpose {
 using json = penpose::json::Json;
-}
-}  // namespace
-
-// A text is read for it as any other, whatever the locale says.
-template <>
-template <>
-penpose::json::Json penpose::json::Json::parse<const char*>(const char* first, const char* last, parser_callback_t,
-                                                            bool, bool) {
-  auto json = penpose::json::parse_json(penpose::base::as_bytes(std::string_view(first, last)));
-  return json ? std::move(json).value() : nullptr;
-}
+}  // namespace json_of_penpose
+#define nlohmann json_of_penpose
 
 #include "core/io/gltf/read/internal/own_tinygltf.h"
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/animation/track.h"
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {

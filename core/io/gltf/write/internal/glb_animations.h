@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/document/model.h"
 #include "core/io/gltf/write/internal/glb_weights.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"

@@ -5,7 +5,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "core/geometry/rotation.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/document/model.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "core/base/byte_reader.h"
-#include "core/base/json/json_value.h"
 
 namespace penpose::io {
 namespace {
@@ -195,7 +194,7 @@ base::Result<std::vector<std::uint8_t>> GltfBuilder::finish() {
 
 base::Result<std::string> text_of(const json::Json& document, TextOrder order) {
   try {
-    return order == TextOrder::as_made ? json::dump_as_made(document) : json::dump(document);
+    return order == TextOrder::as_made ? document.dump_as_made() : document.dump();
   } catch (const std::bad_alloc&) {
     throw;  // no fault of what is written
   } catch (const std::exception&) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/byte_writer.h"
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 
 namespace penpose::io {

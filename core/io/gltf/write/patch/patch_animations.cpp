@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/animation_hash.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/write/internal/glb_animations.h"

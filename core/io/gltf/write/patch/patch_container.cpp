@@ -4,7 +4,6 @@
 #include <set>
 
 #include "core/base/byte_reader.h"
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/uri/uri.h"
 
 namespace penpose::io {

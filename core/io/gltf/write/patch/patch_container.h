@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/document/source_file.h"
 #include "core/io/gltf/read/internal/gltf_document.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/geometry/rotation.h"
 #include "core/io/gltf/vrm/vrm_extension.h"
 

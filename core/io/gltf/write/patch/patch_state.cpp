@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::io {
 namespace {
 

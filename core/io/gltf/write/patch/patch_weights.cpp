@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::io {
 
 void PatchWeights::write() {

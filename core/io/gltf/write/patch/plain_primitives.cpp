@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/compression/unpack_gltf.h"
 
 namespace penpose::io {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "core/base/json/json_value.h"
 #include "core/document/source_file.h"
 #include "core/geometry/rotation.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"

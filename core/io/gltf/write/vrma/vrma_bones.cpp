@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/base/math.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/geometry/rotation.h"

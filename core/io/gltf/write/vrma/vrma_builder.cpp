@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/json/json_value.h"
-
 namespace penpose::io {
 
 VrmaBuilder::VrmaBuilder() {

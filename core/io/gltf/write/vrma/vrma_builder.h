@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 #include "core/document/model.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/base/numbers.h"
 #include "core/document/expressions.h"
 #include "core/document/time/animation_sampling.h"
@@ -121,10 +120,11 @@ base::Status write_vrma_expressions(const document::Model& model, const document
   const std::size_t width = document::weight_count(model);
   if (width == 0) return base::Done{};
   std::vector<const Channel*> moved;
-  for (std::size_t c = 0; animation != nullptr && moved.empty() && c < animation->channels.size(); ++c) {
+  for (std::size_t c = 0; animation != nullptr && c < animation->channels.size(); ++c) {
     const Channel& channel = animation->channels[c];
     if (channel.target == ChannelTarget::weights && !channel.times_s.empty()) moved.push_back(&channel);
   }
+  if (moved.size() > 1) moved.resize(1);
   const std::vector<double> times = moved.empty() ? std::vector<double>{0.0} : key_times(moved);
   std::vector<Column> all = columns_of(model);
   std::size_t cost = width;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/io/model/read_model.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/read_document.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/write_model.h"
 #include "tests/support/models/gltf_sample.h"

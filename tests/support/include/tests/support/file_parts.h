@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/read_gltf.h"
 
 namespace penpose::tests {

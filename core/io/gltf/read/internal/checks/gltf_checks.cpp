@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/base/text/utf8.h"
 #include "core/io/gltf/read/compression/unpack_gltf.h"
 #include "core/io/remedies.h"
@@ -46,7 +45,7 @@ std::optional<base::Error> check_version(const json::Json& document) {
   if (version != nullptr && version->is_string()) {
     text = version->get<std::string>();
   } else if (version != nullptr && version->is_number()) {
-    text = json::dump(*version);
+    text = version->dump();
   } else if (version != nullptr && !version->is_null()) {
     return wrong("a text was expected", "/asset/version");
   } else if (const json::Json* views = json::find(document, "bufferViews"); views != nullptr && views->is_object()) {

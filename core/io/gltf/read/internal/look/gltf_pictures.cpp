@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/internal/look/lenient_json.h"
 #include "core/io/gltf/read/internal/look/picture_head.h"
 

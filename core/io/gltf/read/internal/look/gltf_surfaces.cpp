@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/json/json_value.h"
 #include "core/base/math.h"
 #include "core/io/gltf/read/internal/look/lenient_json.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/json/json_value.h"
+#include "core/base/json/json.h"
 #include "core/base/text/utf8.h"
 
 // What is only shown is read leniently: where something is missing or of another kind there is an answer all the same.

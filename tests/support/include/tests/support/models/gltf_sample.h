@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/json/json_value.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "tests/support/error_of.h"
 

@@ -2,11 +2,11 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/articulation/region/canvas.h"
-#include "core/base/json/json_value.h"
 #include "core/document/model.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"

@@ -4,7 +4,7 @@ PENPOSE_SITE = $(BR2_EXTERNAL_PENPOSE_PATH)/../../../..
 PENPOSE_SITE_METHOD = local
 PENPOSE_LICENSE = MIT
 PENPOSE_LICENSE_FILES = LICENSE
-PENPOSE_DEPENDENCIES = host-pkgconf cli11 draco glm jpeg json-for-modern-cpp libpng meshoptimizer pugixml tinygltf webp xxhash zlib
+PENPOSE_DEPENDENCIES = host-pkgconf cli11 draco glm jpeg libpng meshoptimizer pugixml tinygltf webp xxhash zlib
 
 penpose_onoff = $(if $($(1)),ON,OFF)
 # Man pages and completions are written by a program of the board, which this machine cannot run.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/base/json/json_value.h"
+#include <nlohmann/json.hpp>
+
 #include "core/character/demo_head.h"
 #include "core/io/model/read_model.h"
 #include "tests/core/portrait/feature_distance.h"
