@@ -11,7 +11,7 @@ import os
 import sys
 
 GROUPS = {"seen": "seen", "held_out": "held out", "shared": "shared"}
-OF_RIGS = ("intent", "gesture", "meant", "drawing_exact", "drawn_faces")     # what the page says of each rig
+OF_RIGS = ("intent", "gesture", "meant", "drawing_beside")     # what the page says of each rig
 MEASURES = [
     ("intent", "faces of known poses by several hands: error of the whole face, of its movement"),
     ("gesture", "lines that no pose meets: *right* if what an artist means moves and little else"),
@@ -70,6 +70,9 @@ def judged(table):
         if name in measures:
             yield f"- `{name}`: {text}"
     yield ""
+    if "note" in table:
+        yield table["note"]
+        yield ""
     yield "Errors are median/worst, strays (what should stay) 95 in 100/worst, in per cent; *still*: farthest of what was redrawn in place."
     yield ""
     totals = [r for r in rows if r["rig"] == "all"]

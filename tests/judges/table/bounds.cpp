@@ -19,7 +19,8 @@ constexpr double k_rounding = 1e-9;
 
 std::string name_of(const Row& row) { return row.measure + "/" + row.group + "/" + row.rig; }
 
-double rounded_up(double value) { return std::ceil(value * 1000 - 1e-6) / 1000; }
+/// Never -0.
+double rounded_up(double value) { return std::ceil(value * 1000 - 1e-6) / 1000 + 0.0; }
 
 std::string shown(double value) { return base::format_fixed(value, 3); }
 
