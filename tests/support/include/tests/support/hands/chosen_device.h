@@ -25,11 +25,12 @@ bool choose_known(decode::DeviceIdentity& device, std::uint8_t choice, std::span
   const auto tablets = decode::known_tablets().tablets();
   const auto& tablet = tablets[(choice - rows.size()) * stride % tablets.size()];
   const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
-  device = {.vendor = identifier.vendor,
-            .product = identifier.product,
-            .input_report_length = identifier.input_report_length,
-            .output_report_length = identifier.output_report_length,
-            .feature_report_length = identifier.feature_report_length};
+  device = {};
+  device.vendor = identifier.vendor;
+  device.product = identifier.product;
+  device.input_report_length = identifier.input_report_length;
+  device.output_report_length = identifier.output_report_length;
+  device.feature_report_length = identifier.feature_report_length;
   return true;
 }
 
