@@ -6,7 +6,7 @@
 namespace penpose::document {
 namespace {
 
-const std::string k_strange("a b;c,d=e%/x\n\t\"#\xc3\xa9\0z", 22);
+const std::string k_strange("a b;c,d=e%/x\n\t\"#\xc3\xa9\0z", 20);
 
 View some_view() { return {{{0.1, -2e-7, 1.0 / 3}, {1, 2, 3}, {0, 0, 1}, 27.5}, {1920, 1081}}; }
 std::vector<PxPoint> some_line() { return {{412, 300.25}, {-1.0 / 3, 1e6}, {5e-324, -0.1}}; }
