@@ -162,7 +162,8 @@ def load(root, penpose):
                     continue
                 if place.startswith('+'):
                     path = os.path.join(root, place[1:]) if place.startswith('+data') else os.path.join(folder, place[1:])
-                for name in [''] if os.path.isfile(path) else sorted(os.listdir(path)):
+                names = [''] if os.path.isfile(path) else sorted(n for n in os.listdir(path) if os.path.isfile(os.path.join(path, n)))
+                for name in names:
                     with open(os.path.join(path, name) if name else path, 'rb') as f:
                         content = f.read()
                     name = name or os.path.basename(path)
