@@ -89,7 +89,7 @@ Surface make_tongue() {
   constexpr std::size_t k_rings = 9;
   constexpr std::size_t k_segments = 16;
   Surface tongue;
-  const ModelPoint middle{0, k_mouth_y - 0.78, 6.0};
+  const ModelPoint tongue_middle{0, k_mouth_y - 0.78, 6.0};
   // Rings from the tip to the root, with a furrow along the top.
   for (std::size_t i = 0; i < k_rings; ++i) {
     const double polar = base::k_pi * (static_cast<double>(i) + 0.35) / (static_cast<double>(k_rings) - 0.3);
@@ -97,7 +97,7 @@ Surface make_tongue() {
       const double around = 2 * base::k_pi * static_cast<double>(j) / k_segments;
       const double up = base::sin(around);
       const double furrow = up > 0 ? 0.12 * up * bump(base::cos(around) * base::cos(around) * 9.0) : 0.0;
-      tongue.points.push_back(middle + ModelVector{1.15 * base::sin(polar) * base::cos(around),
+      tongue.points.push_back(tongue_middle + ModelVector{1.15 * base::sin(polar) * base::cos(around),
                                                    (0.42 * up - furrow) * base::sin(polar), 1.25 * base::cos(polar)});
     }
   }

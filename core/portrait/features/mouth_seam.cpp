@@ -63,7 +63,7 @@ std::vector<Break> gaps_of(const FaceSurface& surface, int x, int top) {
 
 class Tracker {
  public:
-  Tracker(const FaceSurface& surface, int top) : surface_(surface) {
+  Tracker(const FaceSurface& surface, int top) {
     for (int x = 0; x < surface.image().width(); ++x) breaks_.push_back(gaps_of(surface, x, top));
   }
   [[nodiscard]] const std::vector<Break>& of(int x) const { return breaks_[x]; }
@@ -104,7 +104,6 @@ class Tracker {
     return found;
   }
 
-  const FaceSurface& surface_;
   std::vector<std::vector<Break>> breaks_;
 };
 

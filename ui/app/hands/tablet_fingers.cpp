@@ -39,9 +39,9 @@ void TabletFingers::take(int device) {
   TouchGestures& gestures = gestures_.try_emplace(device, TouchGestures(4 * parts_.canvas.scale())).first->second;
   for (const auto& finger : parts_.desk.fingers_changed(device, hands.fingers(device))) {
     for (const TouchAct& act : gestures.add(finger.kind, finger.id, place_of(device, finger.contact))) {
-      using Kind = TouchAct::Kind;
+      using Act = TouchAct::Kind;
       // One finger is the desktop's: on a tablet it moves the pointer, on a display it draws.
-      if (act.kind == Kind::pen_down || act.kind == Kind::pen_move || act.kind == Kind::pen_up) continue;
+      if (act.kind == Act::pen_down || act.kind == Act::pen_move || act.kind == Act::pen_up) continue;
       moved_us_ = parts_.clock();
       parts_.drag.do_gesture(act);
     }

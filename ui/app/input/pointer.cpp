@@ -115,21 +115,21 @@ void Pointer::wheel(double steps) {
 
 void Pointer::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
   if (parts_.place.tablet_is_near()) return;
-  using Kind = TouchAct::Kind;
+  using Act = TouchAct::Kind;
   for (const TouchAct& act : touch_.add(kind, finger, at)) {
     switch (act.kind) {
-      case Kind::pen_down:
+      case Act::pen_down:
         button(MouseButton::left, true, act.at);
         break;
-      case Kind::pen_move:
+      case Act::pen_move:
         moved(act.at);
         break;
-      case Kind::pen_up:
+      case Act::pen_up:
         button(MouseButton::left, false, act.at);
         break;
-      case Kind::orbit:
-      case Kind::pan:
-      case Kind::zoom:
+      case Act::orbit:
+      case Act::pan:
+      case Act::zoom:
         // The same fingers may come from the tablet itself, too.
         if (!parts_.tablet_fingers.move_view()) parts_.drag.do_gesture(act);
         break;

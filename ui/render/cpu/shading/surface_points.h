@@ -36,9 +36,8 @@ struct ScreenTriangle {
 /// What is seen of triangles at their px.
 class SurfacePoints {
  public:
-  SurfacePoints(const Raster& raster, std::span<const ScreenVertex> vertices, const VertexPaint& paint,
-                const DrawItems& items)
-      : raster_(raster), vertices_(vertices), paint_(paint), items_(items) {}
+  SurfacePoints(std::span<const ScreenVertex> vertices, const VertexPaint& paint, const DrawItems& items)
+      : vertices_(vertices), paint_(paint), items_(items) {}
 
   /// Which triangle the next px are of. Cheap when it was one of the last.
   void choose(std::uint32_t item) {
@@ -94,7 +93,6 @@ class SurfacePoints {
   float add_plain(int x, int y, const Shares& unscaled, Fragments& fragments) const;
   float add_of_look(int x, int y, Fragments& fragments) const;
 
-  const Raster& raster_;
   std::span<const ScreenVertex> vertices_;
   const VertexPaint& paint_;
   const DrawItems& items_;
