@@ -7,7 +7,7 @@
 namespace penpose::intent {
 namespace {
 
-constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+constexpr std::size_t k_no_joint = static_cast<std::size_t>(-1);
 /// A stroke along a limb begins or ends on what the limb hangs on with less than this share of its points.
 constexpr double k_overlap = 0.15;
 
@@ -19,7 +19,7 @@ std::size_t carrier(const rig::Skeleton& skeleton, const posing::CurvePoint& poi
       share[influence.joint] += point.weight[k] * influence.weight;
   }
   const auto most = std::max_element(share.begin(), share.end());
-  return most != share.end() && *most > 0.0 ? static_cast<std::size_t>(most - share.begin()) : k_none;
+  return most != share.end() && *most > 0.0 ? static_cast<std::size_t>(most - share.begin()) : k_no_joint;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::C
   std::size_t count = 0;
   for (const posing::CurvePoint& point : points) {
     std::size_t joint = carrier(skeleton, point);
-    if (joint == k_none) continue;
+    if (joint == k_no_joint) continue;
     if (body != nullptr) joint = body->meant(joint);
     ++carried[joint];
     if (carries[joint]) continue;

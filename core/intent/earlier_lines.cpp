@@ -6,7 +6,7 @@ namespace penpose::intent {
 namespace {
 
 /// Two lines tell of the same control where it moves both by at least this share of what anything moves each.
-constexpr double k_tells = 0.45;
+constexpr double k_line_tells = 0.45;
 
 /// A drawn curve that stays where it is at a pose.
 KnownCurve held_at(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
@@ -80,7 +80,7 @@ IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& read
   const std::size_t drawn = problem.drawn.size();
   const auto tell_the_same = [&](std::size_t a, std::size_t b) {
     for (std::size_t u = 0; u < shares[a].size(); ++u) {
-      if (std::min(shares[a][u], shares[b][u]) >= k_tells) return true;
+      if (std::min(shares[a][u], shares[b][u]) >= k_line_tells) return true;
     }
     return false;
   };

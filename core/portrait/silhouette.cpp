@@ -19,7 +19,7 @@ constexpr double k_outside = 0.003, k_before = 0.01;
 /// Where a contour goes behind something is found to this part of the way between two of its points: 2^-6.
 constexpr int k_halvings = 6;
 /// Hidden for less than this, share of the model's size, it is drawn on: facets of a coarse surface stand out so far.
-constexpr double k_gap = 0.006, k_apart_px = 4.0;
+constexpr double k_silhouette_gap = 0.006, k_apart_px = 4.0;
 /// A ray looks through so many facets beside the contour.
 constexpr int k_most_facets = 6;
 
@@ -221,7 +221,7 @@ class ContourWalk {
         ++end;
       }
       if (end == points.size()) return;
-      if (gap < k_gap * size_)
+      if (gap < k_silhouette_gap * size_)
         std::fill(seen.begin() + static_cast<std::ptrdiff_t>(i), seen.begin() + static_cast<std::ptrdiff_t>(end), true);
     }
   }

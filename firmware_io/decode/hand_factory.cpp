@@ -28,7 +28,7 @@ using hid::ReportType;
 
 constexpr std::uint32_t k_two_fingers_length = 20;
 constexpr std::uint32_t k_many_fingers_length = 64;
-constexpr std::int32_t k_message_maximum = 4096;  ///< of positions in messages of eight bytes
+constexpr std::int32_t k_hand_message_maximum = 4096;  ///< of positions in messages of eight bytes
 /// Room for fingers where the tablet has to be asked for it, which a decoder cannot.
 constexpr std::uint8_t k_assumed_contacts = 16;
 
@@ -99,7 +99,7 @@ bool has_wacom_touch(const WacomHand& hand, const Carried& has) {
   }
 }
 
-Axis axis_to(std::int32_t maximum, double units_per_mm = 0) { return {0, maximum, units_per_mm, true}; }
+Axis hand_axis_to(std::int32_t maximum, double units_per_mm = 0) { return {0, maximum, units_per_mm, true}; }
 
 std::unique_ptr<TouchDecoder> make_wacom_touch(const WacomHand& hand, const DeviceIdentity& device,
                                                const Carried& has) {
@@ -109,8 +109,8 @@ std::unique_ptr<TouchDecoder> make_wacom_touch(const WacomHand& hand, const Devi
   const double width_mm = model != nullptr && model->units_per_mm > 0 ? model->max_x / model->units_per_mm : 0;
   const double height_mm = model != nullptr && model->units_per_mm > 0 ? model->max_y / model->units_per_mm : 0;
   const auto over_pen_area = [&](std::int32_t max_x, std::int32_t max_y) {
-    axes.x = axis_to(max_x, width_mm > 0 ? max_x / width_mm : 0);
-    axes.y = axis_to(max_y, height_mm > 0 ? max_y / height_mm : 0);
+    axes.x = hand_axis_to(max_x, width_mm > 0 ? max_x / width_mm : 0);
+    axes.y = hand_axis_to(max_y, height_mm > 0 ? max_y / height_mm : 0);
   };
   bool coarse = false;
   switch (hand.touch) {
@@ -126,15 +126,15 @@ std::unique_ptr<TouchDecoder> make_wacom_touch(const WacomHand& hand, const Devi
       } else if (model != nullptr && model->family == WacomFamily::intuos_2015) {
         over_pen_area(model->max_x / 10, model->max_y / 10);
       } else {
-        over_pen_area(k_message_maximum, k_message_maximum);
+        over_pen_area(k_hand_message_maximum, k_hand_message_maximum);
       }
       break;
     case WacomTouch::intuos_pro_bluetooth:
       if (model != nullptr) over_pen_area(model->max_x / 5, model->max_y / 5);
       break;
     case WacomTouch::bamboo_pad:
-      axes.x = axis_to(4095, 0);
-      axes.y = axis_to(4095, 0);
+      axes.x = hand_axis_to(4095, 0);
+      axes.y = hand_axis_to(4095, 0);
       break;
     default:
       axes.on_screen = true;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view k_driver = "wacom";
 /// "input12::wacom-0.2" is the third light of the first group.
-constexpr std::string_view k_mark = "::wacom-";
+constexpr std::string_view k_light_mark = "::wacom-";
 
 bool is_on(const std::filesystem::path& light) {
   std::ifstream file(light / "brightness");
@@ -19,9 +19,9 @@ bool is_on(const std::filesystem::path& light) {
 
 void look_at(const std::filesystem::path& light, const HidInterface& interface, std::optional<decode::Lights>& seen) {
   const std::string name = light.filename().string();
-  const std::size_t at = name.find(k_mark);
-  if (at == std::string::npos || name.size() != at + k_mark.size() + 3) return;
-  const int group = name[at + k_mark.size()] - '0';
+  const std::size_t at = name.find(k_light_mark);
+  if (at == std::string::npos || name.size() != at + k_light_mark.size() + 3) return;
+  const int group = name[at + k_light_mark.size()] - '0';
   const int number = name.back() - '0';
   if (group < 0 || group >= static_cast<int>(decode::k_pad_sides) || number < 0 || number > 3) return;
   if (!seen) seen.emplace();

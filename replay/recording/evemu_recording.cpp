@@ -15,7 +15,7 @@ namespace {
 /// Longer names are none.
 constexpr std::size_t k_most_of_a_name = 1024;
 /// Later times count as this one: some 70,000 years. Two of them still fit into one number.
-constexpr std::int64_t k_latest_us = std::int64_t{1} << 61;
+constexpr std::int64_t k_latest_event_us = std::int64_t{1} << 61;
 
 /// The events of one device as reports of the HID device that stands for it.
 class EvemuRecording final : public LineConverter {
@@ -44,7 +44,7 @@ class EvemuRecording final : public LineConverter {
 
  private:
   void take(std::string& out) {
-    const std::int64_t time_us = std::min(lines_.time_us(), k_latest_us);
+    const std::int64_t time_us = std::min(lines_.time_us(), k_latest_event_us);
     if (!encoder_) {
       encoder_.emplace(lines_.axes());
       const event::EventAxes& axes = lines_.axes();
@@ -53,7 +53,7 @@ class EvemuRecording final : public LineConverter {
       // Where times begin anew they go on from the last one.
       if (!first_us_ || time_us - *first_us_ < last_us_) first_us_ = time_us - last_us_;
     }
-    last_us_ = std::clamp(time_us - *first_us_, last_us_, k_latest_us);
+    last_us_ = std::clamp(time_us - *first_us_, last_us_, k_latest_event_us);
     for (const auto& report : encoder_->take(lines_.event())) writer_.report(0, last_us_, report);
     out += writer_.take();
   }

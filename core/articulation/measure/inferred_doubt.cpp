@@ -13,7 +13,7 @@ constexpr std::array<double, 9> k_places{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8,
 /// At so many of them two sheets are more than chance.
 constexpr std::size_t k_many = 4;
 /// Farther than that from everything that it was found from, as a share of its extent, it runs beside the surface.
-constexpr double k_beside = 0.2;
+constexpr double k_doubt_beside = 0.2;
 /// A core that reaches that far to either side of the curve (root mean square), as a share of the curve's length, tells
 /// no direction.
 constexpr double k_wide = 0.27;
@@ -134,7 +134,7 @@ std::string doubt_of_inferred(const Canvas& canvas, const Region& region, std::s
   for (const ModelPoint& p : inferred) {
     beside = std::max(beside, geometry::distance(core.places[core.nearest(p)], p) - core.edge);
   }
-  if (beside > k_beside * length) return "it leaves the surface";
+  if (beside > k_doubt_beside * length) return "it leaves the surface";
   double square = 0;
   for (const ModelPoint& p : core.places) {
     const double off = distance_to(inferred, p);

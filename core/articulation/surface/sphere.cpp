@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t k_unknowns = 4;
 /// A pivot below this, for points scaled to about one, means a plane.
-constexpr double k_flat = 1e-9;
+constexpr double k_flat_sphere = 1e-9;
 /// Of the distance to the nearest point.
 constexpr double k_radius = 0.95;
 
@@ -71,7 +71,7 @@ std::optional<Sphere> Sphere::fitted(std::span<const ModelPoint> points) {
       system[i][k_unknowns] += row[i] * right / double(points.size());
     }
   }
-  const auto found = algebra::solve<k_unknowns>(system, k_flat);
+  const auto found = algebra::solve<k_unknowns>(system, k_flat_sphere);
   if (!found) return std::nullopt;
   const ModelPoint at = middle + ModelVector{(*found)[0], (*found)[1], (*found)[2]} * (-0.5 * size);
   double nearest = std::numeric_limits<double>::max();

@@ -14,7 +14,7 @@ constexpr double k_same_frame = 1e-6;
 /// A step on a frame is seen on a frame after a delay of whole ones, whatever their differences are rounded to.
 constexpr double k_rounding_s = 1e-9;
 /// The spring is at rest where it is so near to its end, as a share of the way, and so slow.
-constexpr double k_at_rest = 0.003;
+constexpr double k_overlap_at_rest = 0.003;
 constexpr double k_longest_rest_periods = 14;
 
 std::optional<double> own_key_before(const Timeline& timeline, std::size_t control, double time_s) {
@@ -150,7 +150,7 @@ void LedWay::run(const Spring& spring, More more) const {
     const double off = std::abs(motion.value() - end);
     const double speed = std::abs(motion.speed()) * std::max(spring.period_s / (2 * base::k_pi), frame_s);
     most = std::max(most, off);
-    const bool rests = std::max(off, speed) <= k_at_rest * most || time_s >= gives_up_s;
+    const bool rests = std::max(off, speed) <= k_overlap_at_rest * most || time_s >= gives_up_s;
     const bool over = joins || (!next_s_ && time_s >= rests_from_s && rests) || time_s + frame_s > k_latest_key_s;
     goes_on = more(time_s, shown(over && !joins ? end : motion.value(), time_s)) && !over;
   }

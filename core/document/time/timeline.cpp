@@ -6,7 +6,7 @@
 namespace penpose::document {
 namespace {
 
-constexpr double k_steepest = 1e12;
+constexpr double k_steepest_slope = 1e12;
 
 bool all_usual(std::span<const ControlKey> keys) {
   return std::all_of(keys.begin(), keys.end(), [](const ControlKey& key) { return key == ControlKey{}; });
@@ -40,7 +40,8 @@ double secant(const Timeline& timeline, std::size_t parameter, std::size_t from,
   const PoseKey& a = timeline.keys[from];
   const PoseKey& b = timeline.keys[to];
   // Keys may be closer than numbers are fine.
-  return std::clamp((b.pose[parameter] - a.pose[parameter]) / (b.time_s - a.time_s), -k_steepest, k_steepest);
+  return std::clamp((b.pose[parameter] - a.pose[parameter]) / (b.time_s - a.time_s), -k_steepest_slope,
+                    k_steepest_slope);
 }
 
 double smooth_slope(const Timeline& timeline, std::size_t parameter, std::size_t place) {

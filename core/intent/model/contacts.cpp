@@ -13,7 +13,7 @@ using geometry::ModelVector;
 /// Vertices that look for a partner, at most.
 constexpr std::size_t k_most_pairs = 1500;
 /// Partners lie within this share of the size of what shapes move, and behind each other by no more than `k_behind`.
-constexpr double k_reach = 0.02;
+constexpr double k_touch_reach = 0.02;
 constexpr double k_behind = 0.003;
 /// Their normals are against each other by at least this cosine.
 constexpr double k_against = 0.3;
@@ -48,7 +48,7 @@ Contacts::Contacts(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> r
   const std::vector<ModelVector> normals = normals_of(mesh, rest);
   const std::vector<std::uint32_t> all = by_x;
   std::stable_sort(by_x.begin(), by_x.end(), [&](auto a, auto b) { return rest[a].x < rest[b].x; });
-  const double reach = k_reach * size_;
+  const double reach = k_touch_reach * size_;
   const auto vertex = [&](std::uint32_t v) {
     vertices_.push_back(v);
     return vertices_.size() - 1;

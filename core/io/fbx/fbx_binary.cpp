@@ -7,7 +7,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
+constexpr std::size_t k_most_fbx_bytes = std::size_t{512} << 20;
 constexpr std::uint32_t k_long_offsets = 7500;  ///< from this version on offsets have 64 bits
 
 class BinaryReader {
@@ -144,7 +144,7 @@ class BinaryReader {
     if (!count || !packed || !length) return cut();
     const std::size_t bytes = std::size_t{*count} * size;
     used_ += std::size_t{*count} * 8;
-    if (used_ > k_most_bytes)
+    if (used_ > k_most_fbx_bytes)
       return base::Error{"the arrays of the file are larger than 512 MB", place(), "simplify it"};
     const auto raw = reader_.take(*packed != 0 ? std::size_t{*length} : bytes);
     if (!raw) return cut();

@@ -9,12 +9,12 @@ namespace penpose::io {
 namespace {
 
 /// Rows of the file by their places in it.
-using Places = std::vector<std::size_t>;
+using FacePlaces = std::vector<std::size_t>;
 
 struct Face {
   std::int64_t id = 0;
   double seen = 0;  ///< sum of confidences
-  Places rows;
+  FacePlaces rows;
 };
 
 bool shows_face(const FaceRow& row) { return row.row.why_held.empty(); }
@@ -72,7 +72,7 @@ class Joining {
 
   /// The rows of the faces that were taken, and for each frame that shows none of them one that is held.
   std::vector<TrackRow> rows() {
-    Places kept;
+    FacePlaces kept;
     std::set<double> covered = shown_;
     const auto keep_those = [&](bool taken) {
       for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* k_mark_all = "mark every curve in every picture with two points or more";
 
-base::Error wrong(std::string what, std::string pointer) {
+base::Error wrong_labels(std::string what, std::string pointer) {
   return {std::move(what), std::move(pointer),
           R"(write {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}]})"};
 }
@@ -53,7 +53,7 @@ base::Result<LabelFile> read_label_file(base::Bytes bytes) {
   auto track = read_curve_track(bytes, FrameOrder::none);
   if (!track) {
     base::Error error = track.error();
-    if (error.place.empty()) return wrong("no picture is labelled", "/frames");
+    if (error.place.empty()) return wrong_labels("no picture is labelled", "/frames");
     if (error.place.starts_with("frame ")) error.remedy = k_mark_all;
     return error;
   }
@@ -66,7 +66,7 @@ base::Result<LabelFile> read_label_file(base::Bytes bytes) {
     const json::Json* image = json::find(frames[f], "image");
     const std::string here = json::child("/frames", f);
     if (image == nullptr || !image->is_string())
-      return wrong("the name of a picture was expected", json::child(here, "image"));
+      return wrong_labels("the name of a picture was expected", json::child(here, "image"));
     file.images.push_back(image->get<std::string>());
     if (const auto& frame = file.track.frames[f]; !frame.found()) {
       return base::Error{frame.why_held + ", in the picture " + file.images.back(), json::child(here, "curves"),
@@ -79,7 +79,7 @@ base::Result<LabelFile> read_label_file(base::Bytes bytes) {
     for (const auto& group : file.track.groups) add_points(group, file.features.emplace_back());
     return file;
   }
-  if (!features->is_array()) return wrong("a list was expected", "/features");
+  if (!features->is_array()) return wrong_labels("a list was expected", "/features");
   for (std::size_t i = 0; i < features->size(); ++i) {
     const std::string here = json::child("/features", i);
     if (!(*features)[i].is_array() || (*features)[i].empty()) {

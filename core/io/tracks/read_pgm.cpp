@@ -7,7 +7,7 @@
 namespace penpose::io {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_blank_in_pgm(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Reader {
  public:
@@ -16,7 +16,7 @@ class Reader {
   [[nodiscard]] std::size_t offset() const { return at_; }
   /// The next number after blanks and comments.
   std::optional<std::int64_t> number() {
-    while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
+    while (at_ < text_.size() && (is_blank_in_pgm(text_[at_]) || text_[at_] == '#')) {
       if (text_[at_] == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else {

@@ -15,8 +15,8 @@ constexpr std::size_t k_sheet = SheetPlace::k_widths.size();
 constexpr int k_sheet_rounds = 8, k_guess_rounds = 4, k_chosen_rounds = 2, k_last_rounds = 8;
 /// Guesses that are refined, each of another unit, steps by one unit, and units at most.
 constexpr std::size_t k_guesses = 5;
-constexpr int k_steps = 6;
-constexpr std::size_t k_most_units = 6;
+constexpr int k_contour_steps = 6;
+constexpr std::size_t k_most_contour_units = 6;
 /// A turn changes by at most so much in one round, half circles; a share of a range by so much.
 constexpr double k_trust = 0.15, k_gain = 1e-6;
 /// What stays where other lines put it is held like this many looks, each point.
@@ -248,8 +248,8 @@ ContourReading ContourSolver::chosen(ContourReading reading, int rounds) {
     look(reading, all);
     intent::Selection selection(quadratic_, controls_.choices(), costs_);
     reading.choice =
-        intent::trusted(reading.choice, selection.select(selection.fit(reading.choice.units), k_most_units), k_trust,
-                        [](std::size_t) { return true; });
+        intent::trusted(reading.choice, selection.select(selection.fit(reading.choice.units), k_most_contour_units),
+                        k_trust, [](std::size_t) { return true; });
     settle_sheet(reading);
     measure(reading);
     if (reading.energy < best.energy) best = reading;
@@ -263,7 +263,7 @@ std::vector<ContourReading> ContourSolver::explored(const ContourReading& from) 
   for (std::size_t u = 0; u < choices.units.size(); ++u) {
     const auto& unit = choices.units[u];
     const bool moves = std::binary_search(from.choice.units.begin(), from.choice.units.end(), u);
-    if (!moves && from.choice.units.size() >= k_most_units) continue;
+    if (!moves && from.choice.units.size() >= k_most_contour_units) continue;
     const bool other = std::any_of(unit.members.begin(), unit.members.begin() + unit.count, [&](std::size_t v) {
       return std::binary_search(from.choice.variables.begin(), from.choice.variables.end(), v);
     });
@@ -337,7 +337,7 @@ double ContourSolver::standing_out(const ContourReading& reading) const {
 
 ContourReading ContourSolver::solve(const ContourReading& still) {
   ContourReading best = still;
-  for (int step = 0; step < k_steps && standing_out(best) > costs_.unit; ++step) {
+  for (int step = 0; step < k_contour_steps && standing_out(best) > costs_.unit; ++step) {
     ContourReading next = chosen(best, k_guess_rounds);
     for (const ContourReading& guess : explored(best)) {
       ContourReading one = refined(guess, k_guess_rounds);

@@ -19,10 +19,10 @@ constexpr double k_lowest = 0.05, k_highest = 0.62;
 /// Drawn brows are no thicker and no shorter.
 constexpr double k_thickest = 0.3, k_shortest = 0.35;
 /// A control of the brows moves its farthest place at least this far.
-constexpr double k_least_way = 0.015;
+constexpr double k_least_brow_way = 0.015;
 constexpr std::size_t k_columns = 21;
 /// Middles of different controls that are this far apart say half as much.
-constexpr double k_apart = 0.06;
+constexpr double k_brows_apart = 0.06;
 /// Of fields alone, and of the ridge alone.
 constexpr double k_of_fields = 0.7, k_of_ridge = 0.2;
 
@@ -153,7 +153,7 @@ Ways ways_of(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSur
   std::stable_sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   PushField field(rig, surface, vertices);
-  const double least = k_least_way * window.unit * image.px();
+  const double least = k_least_brow_way * window.unit * image.px();
   geometry::Box box;
   box.add(image.place(window.outer, window.bottom));
   box.add(image.place(window.inner, window.top));
@@ -219,7 +219,7 @@ FoundLine moved_middle(const rig::Rig& rig, const intent::WholeModel& whole, con
     if (place) line.points.push_back(place->point);
   }
   // Rows are of two px.
-  const double off = 2.0 * spread_of(ways) / (k_apart * window.unit);
+  const double off = 2.0 * spread_of(ways) / (k_brows_apart * window.unit);
   const double many = std::min(1.0, 0.4 + 0.3 * static_cast<double>(ways.middles.size() - 1));
   line.sureness = k_of_fields * many / (1.0 + off * off);
   return line;

@@ -12,9 +12,9 @@ namespace {
 
 /// Rays from the seam, and places along each.
 constexpr std::size_t k_rays = 41;
-constexpr std::size_t k_steps = 56;
+constexpr std::size_t k_border_steps = 56;
 // Lengths are shares of the width of the mouth.
-constexpr double k_reach = 0.36;
+constexpr double k_border_reach = 0.36;
 /// Usual heights of the red in the middle, and of what lies beyond the corners; they may be off by this share.
 constexpr double k_upper = 0.17, k_lower = 0.18, k_corner = 0.03;
 constexpr double k_spread = 0.5;
@@ -41,7 +41,7 @@ std::vector<Ray> rays_of(const FaceSurface& surface, const MouthSeam& seam, bool
   const auto& columns = seam.columns;
   const double from = columns.front().x;
   const double width = columns.back().x - from;
-  const double step = k_reach * width / k_steps;
+  const double step = k_border_reach * width / k_border_steps;
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < k_rays; ++i) {
     const double share = static_cast<double>(i) / (k_rays - 1);
@@ -57,8 +57,8 @@ std::vector<Ray> rays_of(const FaceSurface& surface, const MouthSeam& seam, bool
     ray.dx = slant * step;
     ray.dy = (upper ? rise : -rise) * step;
     const double height = upper ? k_upper : k_lower;
-    ray.usual = (k_corner + (height - k_corner) * (1.0 - u * u)) / k_reach * k_steps;
-    for (std::size_t s = 0; s < k_steps; ++s) {
+    ray.usual = (k_corner + (height - k_corner) * (1.0 - u * u)) / k_border_reach * k_border_steps;
+    for (std::size_t s = 0; s < k_border_steps; ++s) {
       ray.places.push_back(
           place_at(surface, ray.x + static_cast<double>(s) * ray.dx, ray.y + static_cast<double>(s) * ray.dy));
     }
@@ -69,20 +69,20 @@ std::vector<Ray> rays_of(const FaceSurface& surface, const MouthSeam& seam, bool
 
 /// How well each place of a ray is a border.
 std::vector<double> scores_of(const FaceSurface& surface, const Ray& ray, double width) {
-  const double step = k_reach * width / k_steps;
-  std::vector<double> turns(k_steps, 0.0);
+  const double step = k_border_reach * width / k_border_steps;
+  std::vector<double> turns(k_border_steps, 0.0);
   for (const double length : k_chords) {
     const auto chord = static_cast<std::size_t>(std::max(1L, std::lround(length * width / step)));
     const std::vector<double> at_length = turns_of(ray.places, chord);
-    for (std::size_t s = 0; s < k_steps; ++s) turns[s] += at_length[s] / static_cast<double>(k_chords.size());
+    for (std::size_t s = 0; s < k_border_steps; ++s) turns[s] += at_length[s] / static_cast<double>(k_chords.size());
   }
   const auto near = static_cast<std::size_t>(std::lround(k_hollow_from * width / step));
   const auto far = static_cast<std::size_t>(std::lround(k_hollow_to * width / step));
-  std::vector<double> scores(k_steps, 0.0);
-  for (std::size_t s = 0; s < k_steps; ++s) {
+  std::vector<double> scores(k_border_steps, 0.0);
+  for (std::size_t s = 0; s < k_border_steps; ++s) {
     double hollow = 0;
     double count = 0;
-    for (std::size_t o = s + near; o <= s + far && o < k_steps; ++o) {
+    for (std::size_t o = s + near; o <= s + far && o < k_border_steps; ++o) {
       hollow += turns[o];
       count += 1.0;
     }
@@ -104,7 +104,7 @@ void make_even(std::vector<std::vector<double>>& scores) {
   for (std::size_t i = 0; 2 * i < scores.size(); ++i) {
     std::vector<double>& right = scores[i];
     std::vector<double>& left = scores[scores.size() - 1 - i];
-    for (std::size_t s = 0; s < k_steps; ++s) {
+    for (std::size_t s = 0; s < k_border_steps; ++s) {
       const double both = (right[s] + left[s]) / 4.0;
       right[s] = right[s] / 2.0 + both;
       left[s] = left[s] / 2.0 + both;

@@ -21,7 +21,7 @@ constexpr double k_of_opening = 0.5;
 /// Lips roll in this far before they end, as a share of the width.
 constexpr double k_rolled = 0.35;
 /// Points of a lip's line.
-constexpr std::size_t k_points = 33;
+constexpr std::size_t k_seam_points = 33;
 
 struct Break {
   int upper = 0, lower = 0;
@@ -177,8 +177,8 @@ std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const intent::Whol
 std::array<FoundLine, 2> inner_lips(const FaceSurface& surface, const MouthSeam& seam) {
   std::array<FoundLine, 2> lines;
   const std::size_t last = seam.columns.size() - 1;
-  for (std::size_t i = 0; i < k_points; ++i) {
-    const MouthSeam::Column& c = seam.columns[i * last / (k_points - 1)];
+  for (std::size_t i = 0; i < k_seam_points; ++i) {
+    const MouthSeam::Column& c = seam.columns[i * last / (k_seam_points - 1)];
     lines[0].points.push_back(surface.at(c.x, c.upper));
     lines[1].points.push_back(surface.at(c.x, c.lower));
   }

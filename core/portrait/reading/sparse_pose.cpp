@@ -10,7 +10,7 @@ namespace penpose::portrait {
 namespace {
 
 /// nu of the energy.
-constexpr double k_reach = 80.0;
+constexpr double k_sparse_reach = 80.0;
 /// What a unit costs that moves.
 constexpr double k_unit = 6.0, k_alone = 1.0;
 /// Times the square of a share.
@@ -22,7 +22,9 @@ constexpr double k_gain = 1e-9;
 
 }  // namespace
 
-double SparseSolver::energy_of(double squares) { return k_reach * base::log(1.0 + std::max(0.0, squares) / k_reach); }
+double SparseSolver::energy_of(double squares) {
+  return k_sparse_reach * base::log(1.0 + std::max(0.0, squares) / k_sparse_reach);
+}
 
 SparseSolver::SparseSolver(const FaceView& face, const Hand& hand) : face_(face), count_(face.units().size()) {
   share_cost_ = hand.free ? k_free_share : k_share;

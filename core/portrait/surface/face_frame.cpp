@@ -17,7 +17,7 @@ constexpr double k_still = 0.04;
 constexpr double k_near_front = 0.97;
 /// Vertices that are mirrored to find the plane of a surface, at most, and rounds of it.
 constexpr std::size_t k_most_mirrored = 300;
-constexpr int k_rounds = 10;
+constexpr int k_frame_rounds = 10;
 
 FaceFrame frame_of(const ModelVector& left, const ModelPoint& origin) {
   FaceFrame frame;
@@ -90,7 +90,7 @@ double between_halves(const mesh::TriangleMesh& mesh, std::span<const ModelPoint
   const geometry::ClosestPointTree tree(rest, mesh.triangles());
   const double size = box.diagonal();
   double met = 0;
-  for (int round = 0; round < k_rounds; ++round) {
+  for (int round = 0; round < k_frame_rounds; ++round) {
     const double reach = round < 5 ? 0.05 : 0.01;
     ModelVector across{0};
     double offset = 0;

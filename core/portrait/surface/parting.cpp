@@ -6,7 +6,7 @@ namespace penpose::portrait {
 namespace {
 
 /// A control that moves nothing farther than this share of the face does nothing there.
-constexpr double k_least_way = 0.002;
+constexpr double k_least_parting_way = 0.002;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ std::vector<Push> pushes_within(const rig::Rig& rig, const intent::WholeModel& w
       within.push_back(i);
     }
   }
-  const double least = k_least_way * surface.place().box.diagonal();
+  const double least = k_least_parting_way * surface.place().box.diagonal();
   std::vector<Push> pushes;
   for (std::size_t k = 0; k < fields.control_count(); ++k) {
     const auto field = fields.field(k);

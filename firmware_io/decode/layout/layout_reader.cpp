@@ -11,7 +11,7 @@ namespace penpose::decode {
 namespace {
 
 constexpr std::size_t k_longest_text = 512;
-constexpr std::int64_t k_longest_report = 4096;
+constexpr std::int64_t k_longest_layout_report = 4096;
 
 struct NamedKind {
   std::string_view name;
@@ -101,8 +101,8 @@ void LayoutReader::key_codes() {
   if (!at.present()) return;
   at.allow_only({"from", "modifiers", "keys"});
   KeyCodes codes;
-  codes.first_byte = static_cast<std::uint16_t>(at.at("from").integer(0, k_longest_report - 1));
-  codes.modifier_byte = static_cast<std::uint16_t>(at.at("modifiers").integer(0, k_longest_report - 1));
+  codes.first_byte = static_cast<std::uint16_t>(at.at("from").integer(0, k_longest_layout_report - 1));
+  codes.modifier_byte = static_cast<std::uint16_t>(at.at("modifiers").integer(0, k_longest_layout_report - 1));
   for (const auto& item : at.at("keys").items()) {
     auto text = item.text();
     KeyCodes::Key key;
@@ -133,8 +133,8 @@ void LayoutReader::contacts() {
   }
   at.allow_only({"from", "size", "most", "ids", "id", "x", "y", "down"});
   ContactList list;
-  list.from = static_cast<std::size_t>(at.at("from").integer(0, k_longest_report - 1));
-  list.size = static_cast<std::size_t>(at.at("size").integer(1, k_longest_report));
+  list.from = static_cast<std::size_t>(at.at("from").integer(0, k_longest_layout_report - 1));
+  list.size = static_cast<std::size_t>(at.at("size").integer(1, k_longest_layout_report));
   list.most = static_cast<std::size_t>(at.at("most").integer(1, 64));
   const auto ids = at.at("ids").items();
   if (ids.size() != 2) {
@@ -222,7 +222,7 @@ Layout read_layout(const JsonPlace& place) {
   if (const auto full = place.at("battery_full"); full.present()) layout.battery_full = full.integer(1, 65535);
   if (layout.gives == Gives::touch_pad) fields.needs(3);
   if (const auto shortest = place.at("shortest"); shortest.present()) {
-    fields.needs(static_cast<std::size_t>(shortest.integer(0, k_longest_report)));
+    fields.needs(static_cast<std::size_t>(shortest.integer(0, k_longest_layout_report)));
   }
   return layout;
 }
@@ -300,7 +300,7 @@ ProtocolMap read_protocols(const JsonPlace& file) {
     protocol->name = name;
     if (const auto at = place.at("skip"); at.present()) protocol->skip = static_cast<std::size_t>(at.integer(0, 64));
     if (const auto at = place.at("shortest"); at.present()) {
-      protocol->shortest = static_cast<std::size_t>(at.integer(0, k_longest_report));
+      protocol->shortest = static_cast<std::size_t>(at.integer(0, k_longest_layout_report));
     }
     if (const auto at = place.at("tip_above"); at.present()) protocol->tip_above = at.integer(0, 1'000'000);
     if (const auto at = place.at("rules"); at.present()) protocol->rules = read_rules(at, shared);

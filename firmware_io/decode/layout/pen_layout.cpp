@@ -70,9 +70,9 @@ bool has_role(const PenReport& report, PenRole role) {
                      [role](const PenControl& control) { return control.role == role; });
 }
 
-class Finder {
+class PenFinder {
  public:
-  Finder(const ReportDescriptor& descriptor, Dialect dialect) : descriptor_(descriptor), dialect_(dialect) {
+  PenFinder(const ReportDescriptor& descriptor, Dialect dialect) : descriptor_(descriptor), dialect_(dialect) {
     layout_.has_report_ids = descriptor.has_report_ids;
     layout_.report_of_id.fill(-1);
   }
@@ -94,7 +94,7 @@ class Finder {
 };
 
 /// Whether a report is that of a touch device, which numbers its contacts.
-bool Finder::carries_contacts(std::uint8_t id) const {
+bool PenFinder::carries_contacts(std::uint8_t id) const {
   return std::any_of(descriptor_.fields.begin(), descriptor_.fields.end(), [&](const Field& field) {
     if (field.type != hid::ReportType::input || field.report_id != id || !field.is_variable()) return false;
     return std::any_of(field.usages.begin(), field.usages.end(), [](const hid::UsageRange& range) {
@@ -104,7 +104,7 @@ bool Finder::carries_contacts(std::uint8_t id) const {
 }
 
 /// Pens from before the second barrel switch had a usage number declare an undefined one between Invert and In Range.
-Usage Finder::corrected(const Field& field, std::uint32_t index) const {
+Usage PenFinder::corrected(const Field& field, std::uint32_t index) const {
   const Usage usage = field.usage_of(index);
   if (dialect_ == Dialect::standard || usage != k_digitizer_undefined || index < 4) return standard_usage(usage);
   const bool matches = field.usage_of(index - 4) == hid::k_tip_switch &&
@@ -116,7 +116,7 @@ Usage Finder::corrected(const Field& field, std::uint32_t index) const {
 
 /// Wacom's electrostatic pens describe their serial number with usages of their own in three fields of 16, 32 and 8
 /// bits, with logical ranges that do not fit.
-void Finder::find_aes_serials() {
+void PenFinder::find_aes_serials() {
   const auto is = [](const Field& field, Usage usage, std::uint32_t size) {
     return field.bit_size == size && field.usage_of(0) == usage;
   };
@@ -140,7 +140,7 @@ void Finder::find_aes_serials() {
   }
 }
 
-void Finder::add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role) {
+void PenFinder::add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role) {
   PenControl control;
   control.role = role;
   control.is_signed = field.is_signed();
@@ -158,7 +158,7 @@ void Finder::add_control(PenReport& report, const Field& field, std::uint32_t in
 }
 
 /// Serial numbers of the Universal Stylus Initiative have 64 bits, in one field. Whether the field was one of those.
-bool Finder::add_long_serial(PenReport& report, const Field& field) {
+bool PenFinder::add_long_serial(PenReport& report, const Field& field) {
   if (field.bit_size <= 32 || field.bit_size > 64 || field.usage_of(0) != hid::k_transducer_serial) return false;
   Field part = field;
   part.flags &= ~hid::k_flag_null_state;
@@ -173,7 +173,7 @@ bool Finder::add_long_serial(PenReport& report, const Field& field) {
   return true;
 }
 
-void Finder::add_field(PenReport& report, std::size_t index) {
+void PenFinder::add_field(PenReport& report, std::size_t index) {
   const Field& field = descriptor_.fields[index];
   const auto aes = std::find(aes_fields_.begin(), aes_fields_.end(), index);
   if (aes != aes_fields_.end()) {
@@ -198,7 +198,7 @@ void Finder::add_field(PenReport& report, std::size_t index) {
   }
 }
 
-std::optional<PenLayout> Finder::run() {
+std::optional<PenLayout> PenFinder::run() {
   if (dialect_ == Dialect::wacom) find_aes_serials();
   std::array<bool, 256> seen{};
   for (std::size_t i = 0; i < descriptor_.fields.size(); ++i) {
@@ -245,7 +245,7 @@ std::optional<PenLayout> Finder::run() {
 }  // namespace
 
 std::optional<PenLayout> find_pens(const ReportDescriptor& descriptor, Dialect dialect) {
-  return Finder(descriptor, dialect).run();
+  return PenFinder(descriptor, dialect).run();
 }
 
 std::int64_t PenControl::rescaled(std::int64_t value) const {

@@ -8,7 +8,7 @@
 namespace penpose::decode {
 namespace {
 
-ProtocolMap read_embedded() {
+ProtocolMap read_embedded_layouts() {
   const auto tree = parse_json(embedded_protocols());
   if (!tree) return {};
   base::Error error;
@@ -19,7 +19,7 @@ ProtocolMap read_embedded() {
 }  // namespace
 
 const ProtocolMap& known_protocols() {
-  static const ProtocolMap protocols = read_embedded();
+  static const ProtocolMap protocols = read_embedded_layouts();
   return protocols;
 }
 

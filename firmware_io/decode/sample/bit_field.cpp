@@ -9,7 +9,7 @@
 namespace penpose::decode {
 namespace {
 
-constexpr std::size_t k_longest_report = 4096;
+constexpr std::size_t k_longest_field_report = 4096;
 constexpr int k_widest = 32;
 constexpr std::size_t k_most_words = 64;
 constexpr const char* k_test_remedy = "write tests as 1.5, !1.5, 0=02/10, 0!=02, 1&fc=c0 or length>=12";
@@ -57,7 +57,7 @@ struct BitRange {
 std::optional<BitRange> parse_range(std::string_view text) {
   BitRange range;
   const auto dot = text.find('.');
-  const auto byte = decimal(text.substr(0, dot), k_longest_report - 1);
+  const auto byte = decimal(text.substr(0, dot), k_longest_field_report - 1);
   if (!byte) return std::nullopt;
   range.byte = static_cast<std::uint16_t>(*byte);
   if (dot == std::string_view::npos) return range;
@@ -95,7 +95,7 @@ base::Result<BitTest::Part> BitTest::parse_part(std::string_view text) {
     left.remove_suffix(1);
   }
   const auto ampersand = left.find('&');
-  const auto byte = decimal(left.substr(0, ampersand), k_longest_report - 1);
+  const auto byte = decimal(left.substr(0, ampersand), k_longest_field_report - 1);
   if (!byte) return not_a_test(text);
   part.byte = static_cast<std::uint16_t>(*byte);
   if (ampersand != std::string_view::npos) {
@@ -122,7 +122,7 @@ base::Result<BitTest> BitTest::parse(std::string_view text) {
   if (words.size() > k_most_words) return base::Error{"a test of more than 64 parts", "", k_test_remedy};
   for (const auto word : words) {
     if (constexpr std::string_view k_length = "length>="; word.starts_with(k_length)) {
-      const auto length = decimal(word.substr(k_length.size()), k_longest_report);
+      const auto length = decimal(word.substr(k_length.size()), k_longest_field_report);
       if (!length) return not_a_test(word);
       test.shortest_ = std::max<std::size_t>(test.shortest_, *length);
       test.stated_length_ = std::max<std::size_t>(test.stated_length_, *length);

@@ -179,7 +179,7 @@ int read_count(const JsonPlace& place, int most) {
 }
 
 /// Releases differ in how they tell rings from dials: by `IsRelative`, or by which of two step counts there is.
-TabletWheel read_wheel(const JsonPlace& place) {
+TabletWheel read_driver_wheel(const JsonPlace& place) {
   TabletWheel wheel;
   const auto relative = place.at("IsRelative");
   wheel.is_ring = relative.present() ? !relative.boolean() : place.at("AbsoluteWheelMax").present();
@@ -199,7 +199,7 @@ void read_ranges(const JsonPlace& area, const JsonPlace& pen, Tablet& tablet) {
   tablet.max_pressure = static_cast<std::int32_t>(pen.at("MaxPressure").number(0, 0x7fffffff));
 }
 
-TabletTouch read_touch(const JsonPlace& place) {
+TabletTouch read_driver_touch(const JsonPlace& place) {
   TabletTouch touch;
   if (const auto width = place.at("Width"); width.present()) touch.width_mm = width.number(0, 10000);
   if (const auto height = place.at("Height"); height.present()) touch.height_mm = height.number(0, 10000);
@@ -214,9 +214,9 @@ void read_specifications(const JsonPlace& specifications, Tablet& tablet) {
   tablet.pen_buttons = read_count(pen, 32);
   tablet.pad_keys = read_count(specifications.at("AuxiliaryButtons"), 64);
   tablet.mouse_buttons = read_count(specifications.at("MouseButtons"), 32);
-  if (const auto wheel = specifications.at("Wheel"); wheel.present()) tablet.wheels.push_back(read_wheel(wheel));
-  if (const auto touch = specifications.at("Touch"); touch.present()) tablet.touch = read_touch(touch);
-  for (const auto& wheel : specifications.at("Wheels").items()) tablet.wheels.push_back(read_wheel(wheel));
+  if (const auto wheel = specifications.at("Wheel"); wheel.present()) tablet.wheels.push_back(read_driver_wheel(wheel));
+  if (const auto touch = specifications.at("Touch"); touch.present()) tablet.touch = read_driver_touch(touch);
+  for (const auto& wheel : specifications.at("Wheels").items()) tablet.wheels.push_back(read_driver_wheel(wheel));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace penpose::decode {
 namespace {
 
 constexpr std::size_t k_longest_pattern = 512;
-constexpr std::size_t k_longest_text = 512;
+constexpr std::size_t k_longest_subject = 512;
 constexpr std::size_t k_most_steps = 4096;
 constexpr int k_deepest_group = 16;
 constexpr std::uint64_t k_most_repeats = 255;
@@ -361,7 +361,7 @@ class PatternRun {
 };
 
 bool TextPattern::found_in(std::string_view text) const {
-  return PatternRun(*this, text.substr(0, k_longest_text)).fits(0, 0, true);
+  return PatternRun(*this, text.substr(0, k_longest_subject)).fits(0, 0, true);
 }
 
 }  // namespace penpose::decode

@@ -20,7 +20,7 @@ constexpr int k_attempts = 250;
 constexpr int k_files = 4096;
 constexpr timespec k_pause{0, 20'000'000};
 
-base::Error system_error(const std::string& what, const std::string& node) {
+base::Error guard_error(const std::string& what, const std::string& node) {
   return {what + " (" + std::generic_category().message(errno) + ")", node, "`penpose devices` says what is missing"};
 }
 
@@ -66,16 +66,16 @@ int ask_kernel(int file, int interface) {
 
 base::Result<std::unique_ptr<DriverGuard>> DriverGuard::start(const std::string& usb_node, int interface) {
   const int device = ::open(usb_node.c_str(), O_RDWR | O_CLOEXEC);
-  if (device < 0) return system_error("cannot be opened", usb_node);
+  if (device < 0) return guard_error("cannot be opened", usb_node);
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0) {
-    const auto error = system_error("no pipe can be made", usb_node);
+    const auto error = guard_error("no pipe can be made", usb_node);
     ::close(device);
     return error;
   }
   const int process = ::fork();
   if (process == 0) stand_guard(ends[0], device, interface);
-  const auto error = system_error("no process can be made", usb_node);
+  const auto error = guard_error("no process can be made", usb_node);
   ::close(ends[0]);
   ::close(device);
   if (process < 0) {
@@ -105,9 +105,9 @@ DriverGuard::~DriverGuard() {
 
 base::Status bind_kernel_driver(const std::string& usb_node, int interface) {
   const int device = ::open(usb_node.c_str(), O_RDWR | O_CLOEXEC);
-  if (device < 0) return system_error("cannot be opened", usb_node);
+  if (device < 0) return guard_error("cannot be opened", usb_node);
   const int bound = ask_kernel(device, interface);
-  const auto error = bound < 0 ? system_error("the kernel binds no driver", usb_node)
+  const auto error = bound < 0 ? guard_error("the kernel binds no driver", usb_node)
                                : base::Error{"no driver of the kernel wants it", usb_node, ""};
   ::close(device);
   if (bound <= 0) return error;

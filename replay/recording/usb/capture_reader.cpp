@@ -30,7 +30,7 @@ constexpr std::uint64_t k_most_captured = std::uint64_t{1} << 27;
 constexpr std::size_t k_most_sources = 4096;
 /// Options behind them are not looked at.
 constexpr std::size_t k_most_of_options = 4096;
-constexpr std::int64_t k_micros = 1'000'000;
+constexpr std::int64_t k_capture_micros = 1'000'000;
 /// Later times count as this one: some 200,000 years.
 constexpr std::uint64_t k_latest_us = std::uint64_t{1} << 62;
 
@@ -46,7 +46,7 @@ std::int64_t micros_of(std::uint64_t stamp, std::uint8_t resolution) {
     // The product has to fit: 20 bits are left for the million.
     const unsigned dropped = power > 43 ? power - 43 : 0;
     rest = dropped < 64 ? rest >> dropped : 0;
-    micros = times(seconds, k_micros) + (rest * k_micros >> (power - dropped));
+    micros = times(seconds, k_capture_micros) + (rest * k_capture_micros >> (power - dropped));
   } else {
     micros = stamp;
     for (unsigned i = power; i < 6; ++i) micros = times(micros, 10);
@@ -143,7 +143,7 @@ CaptureReader::Next CaptureReader::next_of_pcap() {
   if (captured > k_most_captured) return damaged("a packet of " + std::to_string(captured) + " bytes");
   CapturedPacket packet;
   packet.link_type = link_type_;
-  packet.time_us = static_cast<std::int64_t>(seconds * k_micros + fraction / (nanoseconds_ ? 1000 : 1));
+  packet.time_us = static_cast<std::int64_t>(seconds * k_capture_micros + fraction / (nanoseconds_ ? 1000 : 1));
   return take_packet(packet, k_pcap_record, captured);
 }
 

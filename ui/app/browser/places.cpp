@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t k_most_recent_folders = 4;
 constexpr std::size_t k_most_text = std::size_t{1} << 20;
-constexpr std::array<std::pair<std::string_view, const char*>, 4> k_named{{{"XDG_DESKTOP_DIR=", "Desktop"},
-                                                                           {"XDG_DOCUMENTS_DIR=", "Documents"},
-                                                                           {"XDG_PICTURES_DIR=", "Pictures"},
-                                                                           {"XDG_DOWNLOAD_DIR=", "Downloads"}}};
+constexpr std::array<std::pair<std::string_view, const char*>, 4> k_named_folders{{{"XDG_DESKTOP_DIR=", "Desktop"},
+                                                                                   {"XDG_DOCUMENTS_DIR=", "Documents"},
+                                                                                   {"XDG_PICTURES_DIR=", "Pictures"},
+                                                                                   {"XDG_DOWNLOAD_DIR=", "Downloads"}}};
 /// Where systems mount what people plug in.
 constexpr std::array<std::string_view, 3> k_volumes{"/media/", "/run/media/", "/mnt/"};
 
@@ -103,7 +103,7 @@ std::vector<FilePlace> file_places(const PlaceSources& sources) {
     return !path.empty() && !there;
   };
   add(FilePlace::Kind::home, "Home", sources.home);
-  for (const auto& [name, label] : k_named) {
+  for (const auto& [name, label] : k_named_folders) {
     const std::string usual = sources.home.empty() ? "" : sources.home + "/" + label;
     const std::string path = user_folder(sources.user_folders, name, sources.home);
     add(FilePlace::Kind::named, label, path.empty() ? usual : path);

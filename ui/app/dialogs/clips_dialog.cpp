@@ -24,7 +24,7 @@ struct ClipNameEntry {
   std::string of;
 };
 
-struct Owners {
+struct ClipsDialogOwners {
   EditingSession& editing;
   Playback& playback;
 };
@@ -48,7 +48,7 @@ bool row(PanelContext& context, const std::string& label, const std::string& det
 }
 
 /// Does it, and shows the clip that is shown then from its beginning.
-void perform(const Owners& with, const document::Command& command) {
+void perform(const ClipsDialogOwners& with, const document::Command& command) {
   if (!with.editing.perform(command) || command.holds<document::NameClip>()) return;
   with.playback.loop() = {};
   with.playback.go_to(0);

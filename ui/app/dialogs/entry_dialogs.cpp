@@ -20,7 +20,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct EntryDialogsOwners {
   EditingSession& editing;
   Controls& controls;
   Notices& notices;
@@ -39,7 +39,7 @@ std::string shown(double value) {
 }
 
 /// Sets what was typed. False, and said why, where it is none or does not fit.
-bool take_number(const Owners& with, std::size_t index) {
+bool take_number(const EntryDialogsOwners& with, std::size_t index) {
   const NumberEntry& entry = with.dialogs.state<NumberEntry>();
   const auto value = base::parse_double(entry.text);
   if (!value || !std::isfinite(*value)) {
@@ -79,7 +79,7 @@ void keypad(PanelContext& context, std::string& text) {
 
 void show_number_dialog(PanelContext& context, EditingSession& editing, Controls& controls, Notices& notices,
                         Dialogs& dialogs) {
-  const Owners with{editing, controls, notices, dialogs};
+  const EntryDialogsOwners with{editing, controls, notices, dialogs};
   NumberEntry& entry = dialogs.state<NumberEntry>();
   const auto& model = *editing.document().model;
   const auto index = rig::find_parameter(model.rig->parameters(), entry.parameter);

@@ -20,15 +20,15 @@
 namespace penpose::app {
 namespace {
 
-using Owners = BrowsedWith;
+using FileDialogsOwners = BrowsedWith;
 
 namespace fs = std::filesystem;
 
-constexpr float k_wide = 22;
+constexpr float k_file_dialog_wide = 22;
 
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`. Before a file
 /// that is there is lost that is said, and pressed for once more.
-bool choose_name(PanelContext& context, const Owners& with, const char* does, std::string& path,
+bool choose_name(PanelContext& context, const FileDialogsOwners& with, const char* does, std::string& path,
                  std::string (*written_to)(const std::string& chosen) = nullptr) {
   FileChoice& choice = with.dialogs.state<FileChoice>();
   if (context.dialog_opens) choice.asked_of.clear();
@@ -70,8 +70,8 @@ bool choose_name(PanelContext& context, const Owners& with, const char* does, st
 
 void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Preferences& preferences,
                       Dialogs& dialogs) {
-  const Owners with{files, preferences, dialogs};
-  if (begin_dialog(context, "Open", k_wide)) {
+  const FileDialogsOwners with{files, preferences, dialogs};
+  if (begin_dialog(context, "Open", k_file_dialog_wide)) {
     std::string chosen;
     if (const std::string file = browse(context, with, {opened_kinds(), 8}); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
@@ -88,8 +88,8 @@ void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Pre
 
 void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& look, Files& files, Notices& notices,
                           Preferences& preferences, Dialogs& dialogs) {
-  const Owners with{files, preferences, dialogs};
-  if (begin_dialog(context, "A picture behind the model", k_wide)) {
+  const FileDialogsOwners with{files, preferences, dialogs};
+  if (begin_dialog(context, "A picture behind the model", k_file_dialog_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
     const std::string chosen = browse(context, with, {picture_kinds(), 8});
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
@@ -103,8 +103,8 @@ void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& loo
 
 void show_sound_dialog(PanelContext& context, EditingSession& editing, SoundTrack& track, Files& files,
                        Preferences& preferences, Dialogs& dialogs) {
-  const Owners with{files, preferences, dialogs};
-  if (begin_dialog(context, "A sound beside the timeline", k_wide)) {
+  const FileDialogsOwners with{files, preferences, dialogs};
+  if (begin_dialog(context, "A sound beside the timeline", k_file_dialog_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
     // Also one whose file is gone.
     const bool has = editing.document().sound != nullptr;
@@ -127,7 +127,7 @@ void show_sound_dialog(PanelContext& context, EditingSession& editing, SoundTrac
 }
 
 void show_recent_dialog(PanelContext& context, Leaving& leaving, Preferences& preferences) {
-  if (begin_dialog(context, "Opened and saved before", k_wide)) {
+  if (begin_dialog(context, "Opened and saved before", k_file_dialog_wide)) {
     std::string chosen;
     const auto recent = preferences.settings().recent;
     if (recent.empty()) ImGui::TextUnformatted("Nothing yet.");
@@ -145,12 +145,12 @@ void show_recent_dialog(PanelContext& context, Leaving& leaving, Preferences& pr
 
 void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Preferences& preferences,
                       Dialogs& dialogs) {
-  const Owners with{files, preferences, dialogs};
+  const FileDialogsOwners with{files, preferences, dialogs};
   if (dialogs.state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
     dialogs.state<FileChoice>().name = name_to_save(files, dialogs.state<FileChoice>().folder);
   }
-  if (begin_dialog(context, "Save", k_wide)) {
+  if (begin_dialog(context, "Save", k_file_dialog_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
     std::string path;
     if (choose_name(context, with, "Save##now", path, project_path)) leaving.save_from_dialog(path);
@@ -160,12 +160,12 @@ void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Pre
 
 void show_export_dialog(PanelContext& context, Files& files, Notices& notices, Preferences& preferences,
                         Dialogs& dialogs) {
-  const Owners with{files, preferences, dialogs};
+  const FileDialogsOwners with{files, preferences, dialogs};
   std::string& name = dialogs.state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
     name = name_to_export(files, dialogs.state<FileChoice>().folder);
   }
-  if (begin_dialog(context, "Export", k_wide)) {
+  if (begin_dialog(context, "Export", k_file_dialog_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     const io::ModelFormat* chosen = io::format_of_name(name);
     bool starts_row = true;

@@ -17,10 +17,10 @@
 namespace penpose::app {
 namespace {
 
-constexpr float k_wide = 17;
+constexpr float k_find_dialog_wide = 17;
 
 /// What is looked through, and changed by what is found.
-struct Owners {
+struct FindDialogsOwners {
   const EditingSession& editing;
   Playback& playback;
   const Preferences& preferences;
@@ -29,7 +29,7 @@ struct Owners {
   PanelState& panels;
 };
 
-SearchedIn searched_in(const Owners& with) {
+SearchedIn searched_in(const FindDialogsOwners& with) {
   return {with.editing.document(), with.preferences.settings().keys, with.playback.rate(),
           with.preferences.settings().recent};
 }
@@ -70,7 +70,7 @@ float list_height(const PanelContext& context) {
 }
 
 /// Does it: an action; a control is shown alone in the panel; the playhead goes to a pose; a file is opened.
-void do_found(PanelContext& context, const Owners& with, const FoundCommand& found) {
+void do_found(PanelContext& context, const FindDialogsOwners& with, const FoundCommand& found) {
   with.dialogs.show(Dialog::none);
   switch (found.kind) {
     case FoundCommand::Kind::action:
@@ -95,8 +95,8 @@ void do_found(PanelContext& context, const Owners& with, const FoundCommand& fou
 
 void show_search_dialog(PanelContext& context, EditingSession& editing, Playback& playback, Preferences& preferences,
                         Leaving& leaving, Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, playback, preferences, leaving, dialogs, panels};
-  if (begin_dialog(context, "Search", k_wide)) {
+  const FindDialogsOwners with{editing, playback, preferences, leaving, dialogs, panels};
+  if (begin_dialog(context, "Search", k_find_dialog_wide)) {
     const std::string before = dialogs.state<SearchEntry>().text;
     dialog_field(context, "##find", dialogs.state<SearchEntry>().text, "an action, a control, a pose, a file");
     if (dialogs.state<SearchEntry>().text != before) dialogs.state<SearchEntry>().chosen = 0;
@@ -120,8 +120,8 @@ void show_search_dialog(PanelContext& context, EditingSession& editing, Playback
 
 void show_shortcuts_dialog(PanelContext& context, EditingSession& editing, Playback& playback, Preferences& preferences,
                            Leaving& leaving, Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, playback, preferences, leaving, dialogs, panels};
-  if (begin_dialog(context, "Keys", k_wide)) {
+  const FindDialogsOwners with{editing, playback, preferences, leaving, dialogs, panels};
+  if (begin_dialog(context, "Keys", k_find_dialog_wide)) {
     dialog_field(context, "##key search", dialogs.state<SearchEntry>().text, "search");
     std::optional<FoundCommand> done;
     begin_list(context, "keys", {0, list_height(context)}, true);

@@ -11,7 +11,7 @@
 namespace penpose::app {
 namespace {
 
-using Kind = FoundCommand::Kind;
+using FoundKind = FoundCommand::Kind;
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
@@ -85,21 +85,21 @@ std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view t
   };
   for (const ActionInfo& one : all_actions()) {
     if (one.action == Action::search) continue;
-    add({Kind::action, std::string(one.label), in.keys.shortcut_of(one.action), one.action}, besides_of(one));
+    add({FoundKind::action, std::string(one.label), in.keys.shortcut_of(one.action), one.action}, besides_of(one));
   }
   if (!words.empty()) {
     const document::Document& document = in.document;
     const auto parameters = document.model->rig->parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      add({Kind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");
+      add({FoundKind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");
     }
     for (const auto& key : document.timeline->keys) {
       if (key.name.empty()) continue;
-      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, in.rate), {}, key.time_s}, "pose key");
+      add({FoundKind::pose, key.name, "frame " + frame_text(key.time_s, in.rate), {}, key.time_s}, "pose key");
     }
     for (const std::string& path : in.recent_files) {
       const std::filesystem::path file(path);
-      add({Kind::file, file.filename().string(), path}, "file open");
+      add({FoundKind::file, file.filename().string(), path}, "file open");
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -14,7 +14,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr float k_wide = 19;
+constexpr float k_keyboard_dialog_wide = 19;
 constexpr float k_key_wide = 3.6F;
 
 /// Which key is being chosen, and which one waits for a yes because another action has it.
@@ -26,24 +26,24 @@ struct KeyChoice {
 };
 
 /// What is shown and changed here.
-struct Owners {
+struct KeyboardDialogOwners {
   Preferences& preferences;
   Dialogs& dialogs;
 };
 
-KeyMap& keys_of(const Owners& with) { return with.preferences.settings().keys; }
+KeyMap& keys_of(const KeyboardDialogOwners& with) { return with.preferences.settings().keys; }
 
-void stop_asking(const Owners& with) {
+void stop_asking(const KeyboardDialogOwners& with) {
   with.dialogs.state<KeyAsked>().waits = false;
   with.dialogs.state<KeyChoice>() = {};
 }
 
-void ask(const Owners& with, Action action, std::size_t place) {
+void ask(const KeyboardDialogOwners& with, Action action, std::size_t place) {
   with.dialogs.state<KeyChoice>() = {action, place, {}, false};
   with.dialogs.state<KeyAsked>() = {true, {}, -1};
 }
 
-void set(const Owners& with, const KeyStroke& key) {
+void set(const KeyboardDialogOwners& with, const KeyStroke& key) {
   const KeyChoice& choice = with.dialogs.state<KeyChoice>();
   keys_of(with).set(*choice.action, choice.place, key);
   with.preferences.changed();
@@ -59,14 +59,14 @@ const ActionInfo* has_own_key_of(const KeyMap& keys, Action action) {
   return nullptr;
 }
 
-void reset(const Owners& with, Action action) {
+void reset(const KeyboardDialogOwners& with, Action action) {
   keys_of(with).reset(action);
   with.preferences.changed();
   stop_asking(with);
 }
 
 /// Takes the key that was pressed for the one that is being chosen.
-void take_pressed(const Owners& with) {
+void take_pressed(const KeyboardDialogOwners& with) {
   KeyChoice& choice = with.dialogs.state<KeyChoice>();
   KeyAsked& asked = with.dialogs.state<KeyAsked>();
   const KeyStroke key = std::exchange(asked.pressed, {});
@@ -85,7 +85,7 @@ bool fits(const KeyMap& keys, const ActionInfo& one, const std::string& searched
   return base::lower_case(words).find(base::lower_case(searched)) != std::string::npos;
 }
 
-void show_row(PanelContext& context, const Owners& with, const ActionInfo& one) {
+void show_row(PanelContext& context, const KeyboardDialogOwners& with, const ActionInfo& one) {
   const KeyMap& keys = keys_of(with);
   const KeyChoice choice = with.dialogs.state<KeyChoice>();
   const bool chosen = choice.action == one.action;
@@ -112,7 +112,7 @@ void show_row(PanelContext& context, const Owners& with, const ActionInfo& one) 
 }
 
 /// What is being asked, and the answers for a pen.
-void show_question(PanelContext& context, const Owners& with) {
+void show_question(PanelContext& context, const KeyboardDialogOwners& with) {
   const KeyChoice choice = with.dialogs.state<KeyChoice>();
   KeyMap& keys = keys_of(with);
   const std::string label(choice.action ? info(*choice.action).label : std::string_view());
@@ -165,7 +165,7 @@ void show_question(PanelContext& context, const Owners& with) {
 }  // namespace
 
 void show_keyboard_dialog(PanelContext& context, Preferences& preferences, Dialogs& dialogs) {
-  const Owners with{preferences, dialogs};
+  const KeyboardDialogOwners with{preferences, dialogs};
   if (context.dialog_opens) stop_asking(with);
   take_pressed(with);
   // Escape leaves the question first.
@@ -173,7 +173,7 @@ void show_keyboard_dialog(PanelContext& context, Preferences& preferences, Dialo
     stop_asking(with);
     context.cancels = false;
   }
-  if (begin_dialog(context, "Keys of the keyboard", k_wide)) {
+  if (begin_dialog(context, "Keys of the keyboard", k_keyboard_dialog_wide)) {
     std::string& searched = dialogs.state<SearchEntry>().text;
     // While a key is waited for nothing takes the keyboard.
     if (dialogs.state<KeyChoice>().action) context.field_first = false;

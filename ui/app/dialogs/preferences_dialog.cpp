@@ -31,7 +31,7 @@ struct PreferencesShown {
 };
 
 /// What is shown and changed here.
-struct Owners {
+struct PreferencesDialogOwners {
   const EditingSession& editing;
   Playback& playback;
   Preferences& preferences;
@@ -56,13 +56,14 @@ int one_of(PanelContext& context, const std::array<std::string, count>& labels, 
 }
 
 /// A dialog of its own, which this one makes room for.
-void leads_to(PanelContext& context, const Owners& with, const char* label, Dialog dialog, const char* tip) {
+void leads_to(PanelContext& context, const PreferencesDialogOwners& with, const char* label, Dialog dialog,
+              const char* tip) {
   if (!wide_button(context, label, -1, false, tip)) return;
   with.dialogs.state<SearchEntry>() = {};
   with.dialogs.show(dialog);
 }
 
-void show_view(PanelContext& context, const Owners& with) {
+void show_view(PanelContext& context, const PreferencesDialogOwners& with) {
   Settings& settings = with.preferences.settings();
   ImGui::TextUnformatted("Colours");
   if (const int to = one_of<2>(context, {"Dark##colours", "Light##colours"}, settings.light ? 1 : 0); to >= 0) {
@@ -83,7 +84,7 @@ void show_view(PanelContext& context, const Owners& with) {
   }
 }
 
-void show_pen(PanelContext& context, const Owners& with) {
+void show_pen(PanelContext& context, const PreferencesDialogOwners& with) {
   Settings& settings = with.preferences.settings();
   ImGui::TextUnformatted("Steady line: how much drawn lines are smoothed to the eye");
   const int steady =
@@ -95,7 +96,7 @@ void show_pen(PanelContext& context, const Owners& with) {
   leads_to(context, with, "Tablet: area and pressure##preferences", Dialog::tablet, "The area and the pressure");
 }
 
-void show_keys(PanelContext& context, const Owners& with) {
+void show_keys(PanelContext& context, const PreferencesDialogOwners& with) {
   leads_to(context, with, "Keys of the keyboard##preferences", Dialog{"keyboard"},
            "What each key does, and other keys");
   leads_to(context, with, "Keys and rings of the tablet##preferences", Dialog::pad,
@@ -107,7 +108,7 @@ void show_keys(PanelContext& context, const Owners& with) {
     keyboard = !keyboard;
 }
 
-void show_time(PanelContext& context, const Owners& with) {
+void show_time(PanelContext& context, const PreferencesDialogOwners& with) {
   ImGui::TextWrapped("Frames a second of what has none of its own: a file opens with the rate that fits its keys.");
   std::array<std::string, k_frame_rates.size()> labels;
   int chosen = -1;
@@ -125,7 +126,7 @@ void show_time(PanelContext& context, const Owners& with) {
 }
 
 /// Where the library of poses is.
-void show_pose_folder(PanelContext& context, const Owners& with) {
+void show_pose_folder(PanelContext& context, const PreferencesDialogOwners& with) {
   std::string& typed = with.dialogs.state<PreferencesShown>().pose_folder;
   ImGui::TextWrapped("Library of poses: %s", with.shelf.folder().c_str());
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -148,7 +149,7 @@ void show_pose_folder(PanelContext& context, const Owners& with) {
   ImGui::EndDisabled();
 }
 
-void show_folders(PanelContext& context, const Owners& with) {
+void show_folders(PanelContext& context, const PreferencesDialogOwners& with) {
   const std::string session = with.recording.path();
   if (with.system.available()) {
     ImGui::TextUnformatted("Dialogs of files");
@@ -179,7 +180,7 @@ void show_folders(PanelContext& context, const Owners& with) {
 void show_preferences_dialog(PanelContext& context, const EditingSession& editing, Playback& playback,
                              Preferences& preferences, const Recording& recording, const SystemDialogs& system,
                              Dialogs& dialogs, PanelState& panels, PoseShelf& shelf) {
-  const Owners with{editing, playback, preferences, recording, system, dialogs, panels, shelf};
+  const PreferencesDialogOwners with{editing, playback, preferences, recording, system, dialogs, panels, shelf};
   Tab& tab = dialogs.state<PreferencesShown>().tab;
   if (begin_dialog(context, "Preferences", 16)) {
     const int to =

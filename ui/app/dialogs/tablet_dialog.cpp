@@ -14,7 +14,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct TabletDialogOwners {
   Dialogs& dialogs;
 };
 
@@ -26,7 +26,7 @@ decode::PressureCurve curve_of(const replay::TabletSetting& setting) {
 }
 
 /// Hard pressed to the right, meant upwards, with the pen's last pressure as it is meant.
-void show_pressure(const Owners& with, const replay::TabletSetting& setting, ImVec2 from, ImVec2 size) {
+void show_pressure(const TabletDialogOwners& with, const replay::TabletSetting& setting, ImVec2 from, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   const decode::PressureCurve curve = curve_of(setting);
@@ -46,7 +46,7 @@ void show_pressure(const Owners& with, const replay::TabletSetting& setting, ImV
 }
 
 /// A place to draw in: the line appears under the pen, as thick as it is pressed.
-void test_area(PanelContext& context, const Owners& with, const replay::TabletSetting& setting) {
+void test_area(PanelContext& context, const TabletDialogOwners& with, const replay::TabletSetting& setting) {
   ImGui::TextDisabled("Draw here to try it; beside it, what pressing means");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float height = 4.5F * context.unit;
@@ -89,7 +89,7 @@ void try_pen(Dialogs& dialogs, PxPoint at, double pressure, bool begins) {
 
 void show_tablet_dialog(PanelContext& context, HandDesk& desk, Bindings& bindings, Preferences& preferences,
                         Dialogs& dialogs) {
-  const Owners with{dialogs};
+  const TabletDialogOwners with{dialogs};
   replay::TabletSetting& setting = preferences.settings().tablet;
   if (begin_dialog(context, "Tablet", 17)) {
     for (const DeskTablet& tablet : desk.tablets()) show_guess(context, tablet);

@@ -12,7 +12,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_wide = 11;
+constexpr double k_film_panel_wide = 11;
 
 std::string words_of(const FilmJob& job) {
   const FilmProgress& progress = job.progress();
@@ -32,7 +32,7 @@ void show_film(PanelContext& context, const Area& /*area*/, Canvas& canvas, Film
   if (job == nullptr) return;
   const Area free = canvas.free_area();
   const auto gap = static_cast<double>(context.gap);
-  const double width = std::min(k_wide * static_cast<double>(context.unit), free.width() - 2 * gap);
+  const double width = std::min(k_film_panel_wide * static_cast<double>(context.unit), free.width() - 2 * gap);
   const double height = static_cast<double>(context.unit + 2 * ImGui::GetStyle().WindowPadding.y);
   const Area row{free.left + gap, free.top + gap, free.left + gap + width, free.top + gap + height};
   place.area = row;

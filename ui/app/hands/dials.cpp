@@ -10,13 +10,13 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_zoom_per_notch = 0.95, k_degrees_per_notch = 5;
+constexpr double k_zoom_per_dial_notch = 0.95, k_degrees_per_notch = 5;
 /// A control goes from end to end with one and a half turns of a ring.
 constexpr double k_control_notches = 54;
 /// Steps back and forth shall not come by accident, and a ring's notches are close together.
 constexpr std::int32_t k_ring_notches_per_undo = 3;
 /// A wheel that rested for so long was meant to be where it is.
-constexpr std::int64_t k_rest_us = 400'000;
+constexpr std::int64_t k_dial_rest_us = 400'000;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void Dials::turn(DialUse use, int device, const PadControl& control, std::int32_
       }
       break;
     case DialUse::zoom:
-      parts_.canvas.zoom(std::pow(k_zoom_per_notch, std::clamp(notches, -20.0, 20.0)),
+      parts_.canvas.zoom(std::pow(k_zoom_per_dial_notch, std::clamp(notches, -20.0, 20.0)),
                          parts_.place.tablet_is_near() ? parts_.place.at() : parts_.canvas.free_area().middle());
       break;
     case DialUse::turn:
@@ -106,7 +106,7 @@ void Dials::let_go() {
 }
 
 void Dials::follow() {
-  if (waits() && parts_.clock() - turned_us_ > k_rest_us) end();
+  if (waits() && parts_.clock() - turned_us_ > k_dial_rest_us) end();
 }
 
 void Dials::forget() {

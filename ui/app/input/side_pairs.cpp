@@ -12,7 +12,7 @@ namespace {
 /// A stroke of one side moves the other by less than this share.
 constexpr double k_one_sided = 0.35;
 /// Shares of a range that are no movement.
-constexpr double k_moved = 1e-6;
+constexpr double k_moved_pair = 1e-6;
 
 double range_of(const rig::Parameter& parameter) { return std::max(1e-12, parameter.maximum - parameter.minimum); }
 
@@ -100,7 +100,7 @@ std::optional<rig::Pose> on_both_sides(std::span<const rig::Parameter> parameter
     const double by = std::abs(now[i] - before[i]) / range_of(parameters[i]);
     (is_left(parameters[i].name, parameters[pairs[i]].name) ? left : right) += by;
   }
-  if (std::max(left, right) < k_moved || std::min(left, right) > k_one_sided * std::max(left, right)) {
+  if (std::max(left, right) < k_moved_pair || std::min(left, right) > k_one_sided * std::max(left, right)) {
     return std::nullopt;
   }
   rig::Pose out = now;
@@ -109,7 +109,7 @@ std::optional<rig::Pose> on_both_sides(std::span<const rig::Parameter> parameter
     if (pairs[i] == k_no_pair || is_left(parameters[i].name, parameters[pairs[i]].name) == (left > right)) continue;
     const std::size_t from = pairs[i];
     // Only what was drawn: the rest of a face need not be symmetric.
-    if (std::abs(now[from] - before[from]) < k_moved * range_of(parameters[from])) continue;
+    if (std::abs(now[from] - before[from]) < k_moved_pair * range_of(parameters[from])) continue;
     out[i] = fitted(parameters[i], now[from]);
     differs = differs || out[i] != now[i];
   }

@@ -17,7 +17,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct AxisPanelOwners {
   Dialogs& dialogs;
 };
 
@@ -47,7 +47,7 @@ geometry::ModelVector way_of(const Axis& axis, double front_degrees) {
 }
 
 /// An end of an axis, which is a button on the canvas itself: panels lie above it.
-bool show_end(PanelContext& context, const Owners& with, const Axis& axis, ImVec2 at) {
+bool show_end(PanelContext& context, const AxisPanelOwners& with, const Axis& axis, ImVec2 at) {
   const float half = 0.5F * context.unit;
   const Area area{static_cast<double>(at.x - half), static_cast<double>(at.y - half), static_cast<double>(at.x + half),
                   static_cast<double>(at.y + half)};
@@ -69,7 +69,7 @@ bool show_end(PanelContext& context, const Owners& with, const Axis& axis, ImVec
 }  // namespace
 
 void show_axes(PanelContext& context, const Area& free, Canvas& canvas, Dialogs& dialogs, PanelState& panels) {
-  const Owners with{dialogs};
+  const AxisPanelOwners with{dialogs};
   const auto camera = geometry::Camera::make(canvas.view().camera, canvas.view().viewport);
   const auto unit = static_cast<double>(context.unit);
   if (!camera || !panels.shown || std::min(free.width(), free.height()) < k_least_units * unit) return;

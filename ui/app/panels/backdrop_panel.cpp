@@ -16,15 +16,15 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct BackdropPanelOwners {
   Canvas& canvas;
 };
 
 constexpr double k_step = 1.08;
-constexpr double k_bar_units = 15;
+constexpr double k_backdrop_bar_units = 15;
 
 /// Takes the canvas, so that what is dragged is the picture.
-void take_canvas(PanelContext& context, const Owners& with, Backdrop& backdrop, const Area& free) {
+void take_canvas(PanelContext& context, const BackdropPanelOwners& with, Backdrop& backdrop, const Area& free) {
   ImGui::SetNextWindowBgAlpha(0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   if (begin_panel(context, "backdrop canvas", free)) {
@@ -50,7 +50,7 @@ void take_canvas(PanelContext& context, const Owners& with, Backdrop& backdrop, 
 
 void show_backdrop(PanelContext& context, const Area& free, Canvas& canvas, CanvasLook& look, Playback& playback,
                    Notices& notices, Dialogs& dialogs) {
-  const Owners with{canvas};
+  const BackdropPanelOwners with{canvas};
   const auto backdrop = look.backdrop;
   if (!backdrop) return;
   if (const auto shown = backdrop->show(playback.time_s(), playback.rate()); !shown)
@@ -58,7 +58,7 @@ void show_backdrop(PanelContext& context, const Area& free, Canvas& canvas, Canv
   if (!backdrop->adjusting || dialogs.open() != Dialog::none) return;
   const double unit = static_cast<double>(context.unit);
   const double gap = static_cast<double>(context.gap);
-  const double wide = std::min(free.width(), k_bar_units * unit);
+  const double wide = std::min(free.width(), k_backdrop_bar_units * unit);
   const Area bar{free.middle().x - 0.5 * wide, free.bottom - unit - 2 * gap, free.middle().x + 0.5 * wide, free.bottom};
   if (begin_panel(context, "backdrop bar", bar)) {
     const float each = static_cast<float>(wide) - 3 * context.gap;

@@ -16,18 +16,18 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct ControlRowsOwners {
   EditingSession& editing;
   Controls& controls;
   Dialogs& dialogs;
 };
 
-bool is_locked(const Owners& with, const std::string& name) {
+bool is_locked(const ControlRowsOwners& with, const std::string& name) {
   const auto& locked = with.editing.document().locked;
   return std::binary_search(locked.begin(), locked.end(), name);
 }
 
-void lock_of(PanelContext& context, const Owners& with, const std::string& name) {
+void lock_of(PanelContext& context, const ControlRowsOwners& with, const std::string& name) {
   const bool locked = is_locked(with, name);
   if (lock_button(context, ("##lock " + name).c_str(), locked,
                   locked ? "Locked: neither a stroke nor its slider moves it. Touch to free it"
@@ -36,7 +36,7 @@ void lock_of(PanelContext& context, const Owners& with, const std::string& name)
   }
 }
 
-void slider_of(PanelContext& context, const Owners& with, std::size_t index, const std::string& shown_name,
+void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t index, const std::string& shown_name,
                float width) {
   const document::Document& document = with.editing.document();
   const rig::Parameter parameter = document.model->rig->parameters()[index];
@@ -53,12 +53,12 @@ void slider_of(PanelContext& context, const Owners& with, std::size_t index, con
   ImGui::PopID();
 }
 
-void type_value(const Owners& with, const std::string& name) {
+void type_value(const ControlRowsOwners& with, const std::string& name) {
   with.dialogs.state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
   with.dialogs.show(Dialog::number);
 }
 
-void show_one(PanelContext& context, const Owners& with, std::size_t index) {
+void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t index) {
   const std::string name = with.editing.document().model->rig->parameters()[index].name;
   lock_of(context, with, name);
   ImGui::SameLine();
@@ -75,7 +75,8 @@ void show_one(PanelContext& context, const Owners& with, std::size_t index) {
 }
 
 /// What is done to a pair besides moving it.
-void pair_menu(PanelContext& context, const Owners& with, const std::string& left, const std::string& right) {
+void pair_menu(PanelContext& context, const ControlRowsOwners& with, const std::string& left,
+               const std::string& right) {
   const std::string both = common_name(left, right);
   if (icon_button(context, ("more##pair " + both).c_str(),
                   {context.unit, false, "Type a value, copy a side, back to rest", icon::k_more, false})) {
@@ -103,7 +104,7 @@ void pair_menu(PanelContext& context, const Owners& with, const std::string& lef
   ImGui::EndPopup();
 }
 
-void show_pair(PanelContext& context, const Owners& with, const ControlRow& row) {
+void show_pair(PanelContext& context, const ControlRowsOwners& with, const ControlRow& row) {
   const auto parameters = with.editing.document().model->rig->parameters();
   const std::string left = parameters[row.first].name;
   const std::string right = parameters[row.second].name;
@@ -143,7 +144,7 @@ std::vector<ControlRow> control_rows(std::span<const rig::Parameter> parameters,
 
 void show_control_row(PanelContext& context, const ControlRow& row, EditingSession& editing, Controls& controls,
                       Dialogs& dialogs) {
-  const Owners with{editing, controls, dialogs};
+  const ControlRowsOwners with{editing, controls, dialogs};
   ImGui::PushID(static_cast<int>(row.first));
   if (row.pair()) {
     show_pair(context, with, row);

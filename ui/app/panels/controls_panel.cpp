@@ -23,7 +23,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct ControlsPanelOwners {
   EditingSession& editing;
   Canvas& canvas;
   Controls& controls;
@@ -41,7 +41,8 @@ float share(int count) {
          static_cast<float>(count);
 }
 
-void show_step_list(const Owners& with, const document::PendingSketch& pending, const drawing::Tool& tool) {
+void show_step_list(const ControlsPanelOwners& with, const document::PendingSketch& pending,
+                    const drawing::Tool& tool) {
   struct Step {
     const char* text;
     articulation::CurveRole role;
@@ -114,7 +115,7 @@ document::TakeRegion take_buttons(PanelContext& context, articulation::Reach rea
 constexpr const char* k_found = "what it lies on";
 
 /// The surface that was chosen, if one was.
-std::optional<Surface> surface_button(PanelContext& context, const Owners& with, const Surface& now,
+std::optional<Surface> surface_button(PanelContext& context, const ControlsPanelOwners& with, const Surface& now,
                                       const articulation::RegionPoints& region) {
   const bool slides = !std::holds_alternative<std::monostate>(now);
   const std::string over = of_surface(now, std::string(k_found), [](const auto& one) { return one.words(); });
@@ -144,7 +145,7 @@ std::optional<Surface> surface_button(PanelContext& context, const Owners& with,
   return chosen;
 }
 
-void swing_button(PanelContext& context, const Owners& with, float width) {
+void swing_button(PanelContext& context, const ControlsPanelOwners& with, float width) {
   if (wide_button(context, "Swing", width, with.controls.swings(),
                   "Plays the control to and fro, also while drawing")) {
     with.controls.set_swing(!with.controls.swings());
@@ -152,7 +153,7 @@ void swing_button(PanelContext& context, const Owners& with, float width) {
 }
 
 /// Corrects the pose as it stands.
-void show_correct_button(PanelContext& context, const Owners& with) {
+void show_correct_button(PanelContext& context, const ControlsPanelOwners& with) {
   const document::Document& document = with.editing.document();
   const auto parameters = document.model->rig->parameters();
   std::size_t posed = 0;
@@ -165,7 +166,7 @@ void show_correct_button(PanelContext& context, const Owners& with) {
   ImGui::EndDisabled();
 }
 
-void show_new(PanelContext& context, const Owners& with) {
+void show_new(PanelContext& context, const ControlsPanelOwners& with) {
   EditingSession& editing = with.editing;
   const auto pending = editing.document().pending;
   if (!pending && wide_button(context, "New control", -1, false, "Sketch a control in three or four strokes")) {
@@ -219,7 +220,7 @@ void show_new(PanelContext& context, const Owners& with) {
   }
 }
 
-void show_place(PanelContext& context, const Owners& with, const std::string& name, std::size_t number,
+void show_place(PanelContext& context, const ControlsPanelOwners& with, const std::string& name, std::size_t number,
                 std::size_t count) {
   EditingSession& editing = with.editing;
   const float quarter = share(4);
@@ -245,7 +246,7 @@ void show_place(PanelContext& context, const Owners& with, const std::string& na
   ImGui::EndDisabled();
 }
 
-void show_redraws(PanelContext& context, const Owners& with, const articulation::Deformer& deformer) {
+void show_redraws(PanelContext& context, const ControlsPanelOwners& with, const articulation::Deformer& deformer) {
   struct Redraw {
     const char* label;
     CurveRole role;
@@ -272,7 +273,8 @@ void show_redraws(PanelContext& context, const Owners& with, const articulation:
 }
 
 /// The other targets of a control: one more at the value that it shows, and those that there are.
-void show_betweens(PanelContext& context, const Owners& with, const articulation::Deformer& deformer, double value) {
+void show_betweens(PanelContext& context, const ControlsPanelOwners& with, const articulation::Deformer& deformer,
+                   double value) {
   const std::string name = deformer.sketch().name;
   if (deformer.sketch().paper) return;
   const std::string at = base::format_fixed(value, 2);
@@ -298,7 +300,7 @@ void show_betweens(PanelContext& context, const Owners& with, const articulation
   }
 }
 
-void show_chosen(PanelContext& context, const Owners& with, const articulation::SketchedDeformers& set,
+void show_chosen(PanelContext& context, const ControlsPanelOwners& with, const articulation::SketchedDeformers& set,
                  std::size_t number) {
   EditingSession& editing = with.editing;
   const articulation::Deformer& deformer = *set.deformers()[number];
@@ -365,7 +367,7 @@ void show_chosen(PanelContext& context, const Owners& with, const articulation::
 
 void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canvas, Controls& controls,
                     Notices& notices, Dialogs& dialogs, PanelState& panels) {
-  const Owners with{editing, canvas, controls, notices, dialogs, panels};
+  const ControlsPanelOwners with{editing, canvas, controls, notices, dialogs, panels};
   show_new(context, with);
   show_corrections(context, editing, controls, panels);
   // Held, because what is pressed may put another set in its place.

@@ -14,19 +14,19 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct CorrectionsPanelOwners {
   EditingSession& editing;
   Controls& controls;
 };
 
 /// Part of a row of equal buttons.
-float share(int count) {
+float correction_share(int count) {
   return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
          static_cast<float>(count);
 }
 
 /// Stands in the pose of a correction; the next stroke is its target anew.
-void redraw_correction(const Owners& with, const std::string& correction) {
+void redraw_correction(const CorrectionsPanelOwners& with, const std::string& correction) {
   const auto corrections = with.editing.document().model->corrections;
   if (!corrections) return;
   for (const auto& one : corrections->all()) {
@@ -56,7 +56,7 @@ void redraw_correction(const Owners& with, const std::string& correction) {
 }  // namespace
 
 void show_corrections(PanelContext& context, EditingSession& editing, Controls& controls, PanelState& panels) {
-  const Owners with{editing, controls};
+  const CorrectionsPanelOwners with{editing, controls};
   // Held, because what is pressed may put others in their place.
   const auto corrections = editing.document().model->corrections;
   if (!corrections || editing.document().pending) return;
@@ -69,7 +69,7 @@ void show_corrections(PanelContext& context, EditingSession& editing, Controls& 
     ImGui::PushID(name.c_str());
     ImGui::TextUnformatted(name.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip.c_str());
-    const float half = share(2);
+    const float half = correction_share(2);
     const drawing::Tool& tool = editing.editor().tool();
     const bool redrawing = tool.kind == drawing::ToolKind::redraw && tool.deformer == name;
     bool done = false;

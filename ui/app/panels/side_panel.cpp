@@ -18,7 +18,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct SidePanelOwners {
   EditingSession& editing;
   Controls& controls;
   Dialogs& dialogs;
@@ -28,7 +28,7 @@ struct Owners {
 /// With more parameters than these they stand in groups.
 constexpr std::size_t k_many = 16;
 /// Share of its range from which on a control is away from rest.
-constexpr double k_moved = 0.005;
+constexpr double k_moved_value = 0.005;
 
 bool contains(std::string_view name, std::string_view part) {
   return std::search(name.begin(), name.end(), part.begin(), part.end(),
@@ -43,7 +43,7 @@ std::string first_word(std::string_view name) {
 }
 
 /// Frees one group and locks all others, or frees all again.
-void solo_button(PanelContext& context, const Owners& with, const std::string& group,
+void solo_button(PanelContext& context, const SidePanelOwners& with, const std::string& group,
                  const std::vector<std::string>& members) {
   const document::Document& document = with.editing.document();
   std::vector<std::string> others;
@@ -69,7 +69,7 @@ void solo_button(PanelContext& context, const Owners& with, const std::string& g
 }
 
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
-bool group_row(PanelContext& context, const Owners& with, const std::string& group,
+bool group_row(PanelContext& context, const SidePanelOwners& with, const std::string& group,
                const std::vector<std::string>& members) {
   auto& folded = with.panels.own.of<ParameterList>().folded;
   const auto& locked = with.editing.document().locked;
@@ -108,7 +108,7 @@ bool group_row(PanelContext& context, const Owners& with, const std::string& gro
 
 /// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
 /// are not at rest. One that is locked there goes on being listed, so that it can be freed where it was locked.
-std::vector<bool> wanted_parameters(const Owners& with) {
+std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   const auto parameters = with.editing.document().model->rig->parameters();
   const auto& locked = with.editing.document().locked;
   const rig::Pose& shown = with.editing.shown().pose();
@@ -118,7 +118,7 @@ std::vector<bool> wanted_parameters(const Owners& with) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
-    bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
+    bool moved = by >= k_moved_value * (parameters[i].maximum - parameters[i].minimum);
     if (list.moved_only) {
       moved = moved || (list.moved.contains(name) && std::binary_search(locked.begin(), locked.end(), name));
       if (moved) {
@@ -132,7 +132,7 @@ std::vector<bool> wanted_parameters(const Owners& with) {
   return wanted;
 }
 
-void show_list(PanelContext& context, const Owners& with) {
+void show_list(PanelContext& context, const SidePanelOwners& with) {
   // A row may perform a command that makes another rig: the list is of the one there was.
   const auto rig = with.editing.document().model->rig;
   const auto parameters = rig->parameters();
@@ -169,7 +169,7 @@ void show_list(PanelContext& context, const Owners& with) {
 
 void show_parameters(PanelContext& context, EditingSession& editing, Controls& controls, Dialogs& dialogs,
                      PanelState& panels) {
-  const Owners with{editing, controls, dialogs, panels};
+  const SidePanelOwners with{editing, controls, dialogs, panels};
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float moved = button_width(context, "Moved", {}, true);
   text_field(context, "##search", panels.own.of<ParameterList>().filter,

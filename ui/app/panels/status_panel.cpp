@@ -19,7 +19,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct StatusPanelOwners {
   EditingSession& editing;
   CanvasLook& look;
 };
@@ -30,7 +30,7 @@ ImU32 display(const render::Color& color) {
 }
 
 /// Colours that are on the canvas now, with what they mean.
-std::vector<std::pair<ImU32, const char*>> legend(const Owners& with) {
+std::vector<std::pair<ImU32, const char*>> legend(const StatusPanelOwners& with) {
   using render::CurveKind;
   std::vector<std::pair<ImU32, const char*>> out;
   const document::Document& document = with.editing.document();
@@ -54,7 +54,7 @@ std::vector<std::pair<ImU32, const char*>> legend(const Owners& with) {
 }
 
 /// At the right end of a line; where it begins.
-float show_legend(const Owners& with, const Area& area, float gap) {
+float show_legend(const StatusPanelOwners& with, const Area& area, float gap) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const auto middle = static_cast<float>(area.middle().y);
@@ -76,7 +76,7 @@ float show_legend(const Owners& with, const Area& area, float gap) {
 }  // namespace
 
 void show_status(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look) {
-  const Owners with{editing, look};
+  const StatusPanelOwners with{editing, look};
   if (begin_panel(context, "status", area)) {
     ImGui::PushFont(small_font());
     const float end = show_legend(with, area, context.gap);

@@ -12,12 +12,12 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct ToolbarPanelOwners {
   EditingSession& editing;
 };
 
 /// How much of what is drawn is taken for the hand and not for a wish: a press takes the next of three.
-void show_hand_button(PanelContext& context, const Owners& with) {
+void show_hand_button(PanelContext& context, const ToolbarPanelOwners& with) {
   struct Hand {
     const char* label;
     double unsteadiness;
@@ -35,7 +35,7 @@ void show_hand_button(PanelContext& context, const Owners& with) {
 
 void show_toolbar(PanelContext& context, const Area& area, EditingSession& editing, SuggestionOffer& offer,
                   ToolInHand& tool) {
-  const Owners with{editing};
+  const ToolbarPanelOwners with{editing};
   // A thin bar: the pen drags the tools themselves, and their names need the room.
   ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, context.gap);
   const bool shown = begin_panel(context, "tools", area, true);

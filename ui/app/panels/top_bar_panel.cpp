@@ -20,7 +20,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct TopBarPanelOwners {
   Canvas& canvas;
   Preferences& preferences;
   Dialogs& dialogs;
@@ -36,7 +36,7 @@ void rule(const PanelContext& context) {
 }
 
 /// All that is neither a tool nor of the timeline, in groups.
-void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
+void show_menu(PanelContext& context, const TopBarPanelOwners& with, const Area& bar) {
   const float below = static_cast<float>(with.canvas.window().height - bar.bottom);
   ImGui::SetNextWindowPos({context.gap, static_cast<float>(bar.bottom)});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
@@ -94,7 +94,7 @@ void show_menu(PanelContext& context, const Owners& with, const Area& bar) {
 void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, CanvasLook& look, Playback& playback,
                   ToolInHand& tool, Recording& recording, Preferences& preferences, Dialogs& dialogs,
                   PanelState& panels) {
-  const Owners with{canvas, preferences, dialogs, panels};
+  const TopBarPanelOwners with{canvas, preferences, dialogs, panels};
   if (begin_panel(context, "top", area)) {
     if (icon_button(context, "Menu", {0, false, "Files, settings and sessions", icon::k_menu})) {
       ImGui::OpenPopup("menu");

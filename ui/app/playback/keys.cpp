@@ -10,7 +10,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_same_moment_s = 1e-4;
+constexpr double k_same_key_s = 1e-4;
 constexpr double k_at_cursor_s = 1e-9;
 
 }  // namespace
@@ -171,7 +171,7 @@ void Keys::paste() {
 
 const document::PoseKey* Keys::find(double time_s) const {
   for (const auto& key : editing_.document().timeline->keys) {
-    if (std::abs(key.time_s - time_s) < k_same_moment_s) return &key;
+    if (std::abs(key.time_s - time_s) < k_same_key_s) return &key;
   }
   return nullptr;
 }
@@ -192,7 +192,7 @@ void Keys::name(const std::string& name) {
 
 void Keys::move(double from_s, double to_s) {
   to_s = std::clamp(to_s, 0.0, document::k_latest_key_s);
-  if (std::abs(from_s - to_s) < k_same_moment_s) return;
+  if (std::abs(from_s - to_s) < k_same_key_s) return;
   const auto rate = static_cast<std::uint32_t>(playback_.rate());
   if (!editing_.perform(document::MoveKeys{{{from_s}, {}}, to_s - from_s, 0, 1, false, rate})) return;
   playback_.place_cursor(to_s);

@@ -15,7 +15,7 @@ namespace {
 /// Share of its range from which on a control differs between two readings.
 constexpr double k_differs = 0.005;
 /// Controls that are named.
-constexpr std::size_t k_named = 2;
+constexpr std::size_t k_named_readings = 2;
 /// Two sides are one where they go this near to each other, share of the range.
 constexpr double k_alike = 0.1;
 
@@ -61,7 +61,7 @@ std::string words_of(const document::Document& document, const rig::Pose& readin
   keep([](const Change& one) { return one.is_new; });
   const bool any = changes.empty() || changes.front().by != 0.0;
   std::string text = any ? "" : "without ";
-  for (std::size_t i = 0; i < std::min(k_named, changes.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(k_named_readings, changes.size()); ++i) {
     if (i > 0) text += ", ";
     text += changes[i].name;
     if (!any) continue;
@@ -69,7 +69,7 @@ std::string words_of(const document::Document& document, const rig::Pose& readin
     std::snprintf(number.data(), number.size(), " %+.2f", changes[i].by);
     text += number.data();
   }
-  if (changes.size() > k_named) text += " and " + std::to_string(changes.size() - k_named) + " more";
+  if (changes.size() > k_named_readings) text += " and " + std::to_string(changes.size() - k_named_readings) + " more";
   return text;
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double k_ahead_s = 0.15;
 /// Beyond that the timeline has jumped.
 constexpr double k_jump_s = 0.1;
-constexpr std::size_t k_block = 1024;
+constexpr std::size_t k_sound_block = 1024;
 constexpr double k_fade_s = 0.002;
 /// A device that is not needed is kept for so long.
 constexpr std::int64_t k_kept_us = 1'000'000;
@@ -112,7 +112,7 @@ void SoundTrack::play(std::int64_t now_us) {
       playback_.hear(heard_s, now_us);
     }
   }
-  std::vector<float> block(k_block);
+  std::vector<float> block(k_sound_block);
   while (static_cast<double>(output_->waiting()) < k_ahead_s * rate) {
     sound::mix(*sound_, offset_s(), next_sample_, block);
     output_->push(block);

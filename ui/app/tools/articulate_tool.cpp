@@ -7,7 +7,7 @@
 namespace penpose::app {
 namespace {
 
-std::string hint(const ToolSight& sight) {
+std::string articulate_hint(const ToolSight& sight) {
   if (!sight.document.pending) return "1 of 4: draw around everything that a new control may move";
   const auto step = drawing::next_step(sight.document, sight.tool);
   if (step != articulation::CurveRole::target) return hint_of(step);
@@ -35,7 +35,7 @@ WindowTool articulate_tool() {
                      "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9", plain_key('a')},
           .stands_apart = true,
           .can_be_held = false,
-          .hint = hint,
+          .hint = articulate_hint,
           .to_draw = [](const ToolSight& sight) { return to_draw_for(drawing::next_step(sight.document, sight.tool)); },
           .preview = ToolPreview::sketch,
           .line = [](const ToolSight& sight) { return line_of(drawing::next_step(sight.document, sight.tool)); },

@@ -6,7 +6,7 @@
 namespace penpose::app {
 namespace {
 
-std::string hint(const ToolSight& sight) {
+std::string ghost_hint(const ToolSight& sight) {
   if (sight.document.timeline->keys.size() < 2)
     return "Key two poses first: then the neighbouring one is seen as lines";
   return "Draw where a line of the key before (violet) or after (cyan) should be: that moment is changed";
@@ -19,7 +19,7 @@ WindowTool ghost_tool() {
       .kind = drawing::ToolKind::none,
       .button = {"tool_ghost", "Ghosts", "Draw on the keys before and after: the moment that is drawn on is changed",
                  "M5 20L5 10A12 10 7 180 360M19 10L19 20L15.5 17L12 20L8.5 17L5 20M9.5 10L9.5 12M14.5 10L14.5 12"},
-      .hint = hint,
+      .hint = ghost_hint,
       .to_draw = [](const ToolSight&) -> std::string { return "draw where a line of a ghost should be, near to it"; },
       .line = [](const ToolSight&) { return render::CurveKind::target; },
       .shows_ghosts = true,

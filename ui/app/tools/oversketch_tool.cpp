@@ -7,7 +7,7 @@
 namespace penpose::app {
 namespace {
 
-std::string to_draw(const ToolSight& sight) {
+std::string oversketch_to_draw(const ToolSight& sight) {
   const auto& curves = sight.document.curves;
   const bool has = std::any_of(curves.begin(), curves.end(), [](const auto& one) { return one->target.has_value(); });
   return has ? "draw over the part of the blue line that should change" : "draw where a feature should go first";
@@ -22,7 +22,7 @@ WindowTool oversketch_tool() {
           .hint = [](const ToolSight&) -> std::string {
             return "Draw over the part of the last target that should change";
           },
-          .to_draw = to_draw};
+          .to_draw = oversketch_to_draw};
 }
 
 }  // namespace penpose::app

@@ -8,7 +8,7 @@ namespace {
 
 using articulation::CurveRole;
 
-std::string hint(const ToolSight& sight) {
+std::string redraw_hint(const ToolSight& sight) {
   const std::string& control = sight.tool.deformer;
   switch (sight.tool.role) {
     case CurveRole::general:
@@ -28,7 +28,7 @@ std::string hint(const ToolSight& sight) {
 WindowTool redraw_tool() {
   WindowTool tool;
   tool.kind = drawing::ToolKind::redraw;
-  tool.hint = hint;
+  tool.hint = redraw_hint;
   tool.to_draw = [](const ToolSight& sight) { return to_draw_for(sight.tool.role); };
   tool.preview = ToolPreview::sketch;
   tool.line = [](const ToolSight& sight) { return line_of(sight.tool.role); };

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int k_most_px = 2048;
+constexpr int k_most_backdrop_px = 2048;
 constexpr double k_smallest = 0.02;  ///< of the height of the model, as it was when the picture was put there
 constexpr double k_largest = 50;
 
@@ -64,9 +64,9 @@ base::Result<render::Image> read_picture(const std::string& path) {
   if (!bytes) return bytes.error();
   // By what it is, and not by what it is called.
   const bool png = bytes->size() > 1 && (*bytes)[0] == 0x89 && (*bytes)[1] == 'P';
-  auto image = png ? render::decode_png(*bytes) : render::decode_jpeg(*bytes, k_most_px);
+  auto image = png ? render::decode_png(*bytes) : render::decode_jpeg(*bytes, k_most_backdrop_px);
   if (!image) return image.error();
-  return render::shrunk(*image, k_most_px);
+  return render::shrunk(*image, k_most_backdrop_px);
 }
 
 base::Result<std::shared_ptr<Backdrop>> Backdrop::open(const std::string& path, const geometry::ModelPoint& middle,

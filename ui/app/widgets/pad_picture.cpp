@@ -14,7 +14,7 @@
 namespace penpose::app {
 namespace {
 
-constexpr float k_pi = 3.14159265F;
+constexpr float k_dial_pi = 3.14159265F;
 constexpr ImU32 k_lit = IM_COL32(255, 176, 0, 255);
 constexpr ImU32 k_on_lit = IM_COL32(20, 20, 20, 255);
 constexpr float k_key_units = 4.4F;
@@ -126,7 +126,7 @@ void Picture::draw_ring(const Dial& dial, ImVec2 middle) const {
   // Wacom's rings count from the left with the clock.
   const float share =
       static_cast<float>(now_.ring[dial.side]) / (static_cast<float>(tablet_.features.ring_maximum) + 1);
-  const float angle = k_pi + 2 * k_pi * share;
+  const float angle = k_dial_pi + 2 * k_dial_pi * share;
   list.AddCircleFilled({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)}, 0.22F * unit, k_lit);
 }
 
@@ -152,7 +152,7 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   const std::int8_t mode = with_.bindings.dial_mode(tablet_, side);
   const auto count = static_cast<float>(std::max<int>(modes_of(tablet_.features), 1));
   for (std::int8_t light = 0; light < modes_of(tablet_.features); ++light) {
-    const float angle = -0.75F * k_pi + 2 * k_pi * static_cast<float>(light) / count;
+    const float angle = -0.75F * k_dial_pi + 2 * k_dial_pi * static_cast<float>(light) / count;
     const ImVec2 at{middle.x + 0.38F * context_.unit * std::cos(angle),
                     middle.y + 0.38F * context_.unit * std::sin(angle)};
     const ImU32 lamp = down ? IM_COL32_WHITE : k_lit;

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int k_most_frames = 1'000'000;
 
-struct Options {
+struct FilmOptions {
   std::string model;
   io::Orientation orientation;
   std::string output;
@@ -76,7 +76,7 @@ std::string check_sheet(const std::string& text) {
 }
 
 /// The part of the picture that is filmed.
-base::Result<std::optional<film::PxPart>> part_of(const Options& options) {
+base::Result<std::optional<film::PxPart>> part_of(const FilmOptions& options) {
   if (options.crop.empty()) return std::optional<film::PxPart>();
   const auto part = parse_part(options.crop);
   const geometry::Viewport whole = size_of(options.picture);
@@ -87,7 +87,7 @@ base::Result<std::optional<film::PxPart>> part_of(const Options& options) {
   return part;
 }
 
-base::Result<std::vector<int>> frames_of(const Options& options, const film::FilmFrames& frames) {
+base::Result<std::vector<int>> frames_of(const FilmOptions& options, const film::FilmFrames& frames) {
   const int first = options.from.value_or(0);
   const int last = options.to.value_or(frames.last());
   if (last < first) {
@@ -111,7 +111,8 @@ base::Result<std::vector<int>> frames_of(const Options& options, const film::Fil
 
 /// The sound that goes with it. The project's own may be gone: the film is silent then. Errors: the one that is named
 /// cannot be read.
-base::Result<std::optional<film::PlacedSound>> sound_of(const Options& options, const document::Document& document) {
+base::Result<std::optional<film::PlacedSound>> sound_of(const FilmOptions& options,
+                                                        const document::Document& document) {
   if (!options.sound.empty()) {
     auto named = files::load_sound(options.sound, {});
     if (!named) return named.error();
@@ -128,7 +129,7 @@ base::Result<std::optional<film::PlacedSound>> sound_of(const Options& options, 
   return std::optional(film::PlacedSound{std::move(kept->sound), document.sound->offset_s});
 }
 
-base::Result<film::FilmKind> kind_of(const Options& options) {
+base::Result<film::FilmKind> kind_of(const FilmOptions& options) {
   const auto kind = film::kind_of_name(options.output);
   if (!options.sheet.empty() && kind == film::FilmKind::pictures) return film::FilmKind::sheet;
   if (!options.sheet.empty()) return base::Error{"a sheet is one picture", "-o", "name a .png file"};
@@ -137,7 +138,7 @@ base::Result<film::FilmKind> kind_of(const Options& options) {
 }
 
 /// What is made of a film's progress: a line on a terminal or, for programs that ask for them, lines.
-film::Waiting waiting_of(const Options& options, std::optional<Progress>& shown) {
+film::Waiting waiting_of(const FilmOptions& options, std::optional<Progress>& shown) {
   film::Waiting waiting;
   waiting.stop = [] { return files::StopSignal::asked(); };
   waiting.progress = [&](std::size_t done, std::size_t all) {
@@ -161,7 +162,7 @@ base::Status check_outputs(const film::FilmPlan& plan, const files::FileRoles& f
   return base::Done{};
 }
 
-int run_film(const Options& options) {
+int run_film(const FilmOptions& options) {
   files::FileRoles files(options.progress ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.picture.camera, options.sound}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
@@ -201,7 +202,7 @@ int run_film(const Options& options) {
   return k_success;
 }
 
-void add_frame_options(const Command& command, Options& options) {
+void add_frame_options(const Command& command, FilmOptions& options) {
   const Check frame = whole_range(0, k_most_frames);
   const char* const frames = "0 to 1000000";
   command.add_option("--fps", options.fps, "frames a second")
@@ -218,7 +219,7 @@ void add_frame_options(const Command& command, Options& options) {
   command.add_flag("--numbers", options.numbers, "draw each frame's number into its picture");
 }
 
-void add_options(const Command& command, Options& options) {
+void add_film_options(const Command& command, FilmOptions& options) {
   command.add_option("MODEL", options.model, "project, or a model with an animation: " + io::names_read() + " file")
       .required();
   add_frame_options(command, options);
@@ -248,8 +249,8 @@ void add_options(const Command& command, Options& options) {
 }  // namespace
 
 Subcommand film_subcommand() {
-  return subcommand<Options>(
-      "film", files::Rights::all, "Writes a film of a project's timeline, with its sound", add_options, run_film,
+  return subcommand<FilmOptions>(
+      "film", files::Rights::all, "Writes a film of a project's timeline, with its sound", add_film_options, run_film,
       {"penpose film clip.glb --size 320x320 -o clip.png", "its pictures; clip.mp4, .webm or .gif through ffmpeg"},
       {"penpose film clip.glb --sheet 6 --size 160x160 -o sheet.png", "every sixth frame on one picture"},
       {{"-o", Completes::files, {".mp4", ".webm", ".gif", ".png"}},

@@ -34,9 +34,9 @@
 namespace penpose::cli {
 namespace {
 
-constexpr double k_most_frames = 1e6;
+constexpr double k_most_turns = 1e6;
 
-struct Options {
+struct RenderOptions {
   std::string model;
   io::Orientation orientation;
   std::vector<std::string> assignments;
@@ -70,7 +70,7 @@ std::vector<render::CurveDrawing> named_curves(const document::Model& model,
 }
 
 /// The curves of one case as they lie on the posed model, and where the references should be.
-base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& options, const document::Model& model,
+base::Result<std::vector<render::CurveDrawing>> case_curves(const RenderOptions& options, const document::Model& model,
                                                             std::span<const geometry::ModelPoint> positions) {
   const auto bytes = files::read_file(options.cases, files::k_most_text_bytes);
   if (!bytes) return bytes.error();
@@ -103,7 +103,7 @@ base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& optio
 }
 
 /// Says what cannot be drawn: what the file's reader knows, and what came out when it was drawn.
-void warn_of_undrawn(const Options& options, const document::Model& model, render::Renderer& renderer) {
+void warn_of_undrawn(const RenderOptions& options, const document::Model& model, render::Renderer& renderer) {
   std::vector<std::string> undrawn = renderer.take_undrawn();
   if (options.clay) return;
   if (model.look) undrawn.insert(undrawn.begin(), model.look->undrawn.begin(), model.look->undrawn.end());
@@ -111,7 +111,7 @@ void warn_of_undrawn(const Options& options, const document::Model& model, rende
 }
 
 /// Draws the model as it is posed and writes the picture.
-int draw(const Options& options, const document::Model& model, render::Renderer& renderer,
+int draw(const RenderOptions& options, const document::Model& model, render::Renderer& renderer,
          const render::Appearance& appearance, const geometry::Camera& camera, const std::string& output) {
   const render::PosedMesh posed = render::posed_mesh(model);
   std::vector<render::CurveDrawing> curves;
@@ -134,7 +134,7 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
 }
 
 /// Draws the model's features and contours as an SVG and writes it. What has no face has contours alone.
-int draw_lines(const Options& options, const document::Model& model, const geometry::Camera& camera) {
+int draw_lines(const RenderOptions& options, const document::Model& model, const geometry::Camera& camera) {
   const auto features = document::feature_curves_of(model, intent::measure_whole_model(*model.rig), {});
   if (!features) files::warn(features.error().what + "; the silhouette is drawn alone", options.model);
   const std::string svg = io::write_svg_lines(
@@ -146,7 +146,7 @@ int draw_lines(const Options& options, const document::Model& model, const geome
 
 /// The animation that is asked for: by its name, or of those without or of one name by its number from 1; else the
 /// first.
-base::Result<std::size_t> chosen_animation(const Options& options, const document::Model& model) {
+base::Result<std::size_t> chosen_animation(const RenderOptions& options, const document::Model& model) {
   if (options.animation.empty()) return std::size_t{0};
   const auto& animations = model.animations;
   const auto named = [&](const document::Animation& one) { return one.name == options.animation; };
@@ -164,7 +164,7 @@ base::Result<std::size_t> chosen_animation(const Options& options, const documen
 }
 
 /// The model at a moment of the animation that comes first, with what --set says on top.
-base::Result<document::Model> moment_of(const Options& options, const document::Model& model,
+base::Result<document::Model> moment_of(const RenderOptions& options, const document::Model& model,
                                         std::optional<double> time_s) {
   base::Result<document::Model> moment = model;
   if (time_s) moment = document::model_at(model, document::sample(model, model.animations.front(), *time_s));
@@ -188,7 +188,7 @@ base::Status make_folder_of(const std::string& output) {
   return base::Error{"its folder cannot be made (" + code.message() + ")", "", "name another folder"};
 }
 
-int run_render(const Options& options) {
+int run_render(const RenderOptions& options) {
   files::FileRoles files(options.frames ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.picture.camera, options.cases}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
@@ -232,7 +232,7 @@ int run_render(const Options& options) {
   }
   const double duration = document::duration_s(model->animations.front());
   const double last = std::round(duration * options.fps);
-  if (!(last < k_most_frames)) {
+  if (!(last < k_most_turns)) {
     return files::report({"the animation has too many frames", "--fps", "choose a lower rate"}, options.model);
   }
   const auto count = static_cast<std::size_t>(last) + 1;
@@ -251,7 +251,7 @@ int run_render(const Options& options) {
   return k_success;
 }
 
-void add_options(const Command& command, Options& options) {
+void add_render_options(const Command& command, RenderOptions& options) {
   command.add_option("MODEL", options.model, io::names_read() + " file").required();
   command.add_option("--set", options.assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       .one_value_a_time();
@@ -292,8 +292,8 @@ void add_options(const Command& command, Options& options) {
 }  // namespace
 
 Subcommand render_subcommand() {
-  return subcommand<Options>(
-      "render", files::Rights::no_programs, "Draws a picture of a model", add_options, run_render,
+  return subcommand<RenderOptions>(
+      "render", files::Rights::no_programs, "Draws a picture of a model", add_render_options, run_render,
       {"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
       {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"},
       {{"-o", Completes::files, {".png", ".svg"}}});

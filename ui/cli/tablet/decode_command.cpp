@@ -37,7 +37,7 @@ struct DecodeOptions {
 };
 
 /// One interface of the trace.
-struct Interface {
+struct DecodedInterface {
   std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing to read here
   std::string method;
   std::string guess;                        ///< which of several tablets it is read as; empty where something tells
@@ -58,11 +58,11 @@ class DecodeRun {
  private:
   base::Result<std::size_t> count_devices();
   base::Status decode(replay::TraceSource& source);
-  Interface& interface_for(const replay::TraceSource& source, int device);
+  DecodedInterface& interface_for(const replay::TraceSource& source, int device);
   void begin(int device);
-  void read_as(Interface& interface, const decode::DeviceIdentity& identity);
+  void read_as(DecodedInterface& interface, const decode::DeviceIdentity& identity);
   void hear(const replay::TraceReport& report);
-  void print(const replay::TraceReport& report, Interface& interface);
+  void print(const replay::TraceReport& report, DecodedInterface& interface);
   void begin_output(const decode::PenAxes& axes);
   [[nodiscard]] std::string shown(const decode::PenAxes& axes) const;
   void tell_axes(int device, const decode::PenAxes& axes);
@@ -71,7 +71,7 @@ class DecodeRun {
   const DecodeOptions& options_;
   const decode::TabletTable* own_;
   decode::WacomReceivers receivers_;
-  std::map<int, Interface> interfaces_;
+  std::map<int, DecodedInterface> interfaces_;
   std::set<int> begun_devices_;
   std::string out_;
   RowlessReports rowless_;  ///< `all` counts every report
@@ -106,10 +106,10 @@ base::Result<std::size_t> DecodeRun::count_devices() {
   }
 }
 
-Interface& DecodeRun::interface_for(const replay::TraceSource& source, int device) {
+DecodedInterface& DecodeRun::interface_for(const replay::TraceSource& source, int device) {
   const auto found = interfaces_.find(device);
   if (found != interfaces_.end() && !found->second.is_anew) return found->second;
-  Interface& made = interfaces_[device];
+  DecodedInterface& made = interfaces_[device];
   made.is_anew = false;
   if (!options_.protocol.empty()) {
     made.decoder = decode::make_protocol_decoder(options_.protocol);
@@ -122,7 +122,7 @@ Interface& DecodeRun::interface_for(const replay::TraceSource& source, int devic
   return made;
 }
 
-void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& identity) {
+void DecodeRun::read_as(DecodedInterface& interface, const decode::DeviceIdentity& identity) {
   if (const auto parsed = hid::parse_report_descriptor(identity.report_descriptor, hid::Strictness::tolerant)) {
     interface.desktop = decode::find_foreign_reports(*parsed);
     interface.pad = decode::find_described_pad(*parsed);
@@ -146,7 +146,7 @@ void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& iden
 /// Its reports begin, or begin again: another recording in the same file, or a tablet that was plugged in again.
 void DecodeRun::begin(int device) {
   if (begun_devices_.insert(device).second) return;
-  Interface& anew = interfaces_[device];
+  DecodedInterface& anew = interfaces_[device];
   anew = {};
   anew.is_anew = true;
 }
@@ -227,7 +227,7 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
   std::cout.flush();
 }
 
-void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
+void DecodeRun::print(const replay::TraceReport& report, DecodedInterface& interface) {
   for (const decode::PenSample& sample : interface.decoder->frames()) {
     const decode::PenAxes& axes = interface.decoder->axes();
     if (!begun_) begin_output(axes);
@@ -250,7 +250,7 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
 base::Status DecodeRun::decode(replay::TraceSource& source) {
   return each_report(source, [&](const replay::TraceReport& report) {
     ++rowless_.all;
-    Interface& interface = interface_for(source, report.device);
+    DecodedInterface& interface = interface_for(source, report.device);
     hear(report);
     const std::size_t id = interface.has_report_ids && !report.bytes.empty() ? report.bytes[0] : 0;
     if (interface.pad && interface.pad->has(report.bytes)) {

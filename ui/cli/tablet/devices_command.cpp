@@ -24,7 +24,7 @@ namespace {
 
 using json::Json;
 
-struct Options {
+struct DevicesOptions {
   bool known = false;
   bool json = false;
   bool udev_rule = false;
@@ -157,7 +157,7 @@ void print(const decode::Tablet& tablet) {
   std::cout << '\n';
 }
 
-int list_known(const Options& options, const decode::TabletTable& own) {
+int list_known(const DevicesOptions& options, const decode::TabletTable& own) {
   Json list = Json::array();
   std::size_t count = 0;
   const auto add = [&](std::span<const decode::Tablet> tablets) {
@@ -182,7 +182,7 @@ int list_known(const Options& options, const decode::TabletTable& own) {
   return k_success;
 }
 
-int run_devices(const Options& options) {
+int run_devices(const DevicesOptions& options) {
   const auto own = files::read_own_tablets(options.own);
   if (!own) return files::report(own.error());
   if (options.known) return list_known(options, *own);
@@ -192,7 +192,7 @@ int run_devices(const Options& options) {
   return list_live_devices(*own, options.json);
 }
 
-void add_options(const Command& command, Options& options) {
+void add_devices_options(const Command& command, DevicesOptions& options) {
   const Option known = command.add_flag("--known", options.known, "All tablets of the table, plugged in or not");
   command.add_flag("--json", options.json, "Print one JSON object");
   const Option rule = command.add_flag("--udev-rule", options.udev_rule,
@@ -213,9 +213,10 @@ void add_options(const Command& command, Options& options) {
 }  // namespace
 
 Subcommand devices_subcommand() {
-  return subcommand<Options>(
-      "devices", files::Rights::all, "Lists the tablets that are plugged in, or those that can be read.", add_options,
-      run_devices, {"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
+  return subcommand<DevicesOptions>(
+      "devices", files::Rights::all, "Lists the tablets that are plugged in, or those that can be read.",
+      add_devices_options, run_devices,
+      {"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
       {"penpose devices --known", "every tablet whose raw reports are understood"},
       {{"--rules-folder", Completes::folders}});
 }

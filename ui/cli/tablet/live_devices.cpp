@@ -22,7 +22,7 @@ namespace {
 
 using json::Json;
 
-constexpr std::size_t k_longest_line = 4096;
+constexpr std::size_t k_longest_live_line = 4096;
 
 std::string hex(std::uint16_t id) {
   char text[5] = {};
@@ -97,7 +97,7 @@ void print(const device::LiveTablet& tablet) {
   // What is missing comes first: once it is there, the tablet's strings may tell the model.
   std::string note = device::missing(tablet, files::own_program());
   if (note.empty() && !tablet.guess.empty()) note = files::guess_note(tablet.guess);
-  if (!note.empty()) std::cout << "    " << base::shown_line(note, k_longest_line) << '\n';
+  if (!note.empty()) std::cout << "    " << base::shown_line(note, k_longest_live_line) << '\n';
 }
 
 /// How pictures would be drawn, and how else they can be.
@@ -124,7 +124,7 @@ void print(const std::vector<render::WayHere>& ways) {
       others += (others.empty() ? "; also there: " : ", ") + name;
     }
   }
-  std::cout << "pictures are drawn by " << base::shown_line(first, k_longest_line) << others << '\n';
+  std::cout << "pictures are drawn by " << base::shown_line(first, k_longest_live_line) << others << '\n';
 }
 
 std::string rule_with(const decode::TabletTable& own) {

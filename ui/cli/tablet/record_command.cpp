@@ -29,7 +29,7 @@
 namespace penpose::cli {
 namespace {
 
-struct Options {
+struct RecordOptions {
   std::string output;
   std::string device;
   files::OwnTablets own;
@@ -42,7 +42,8 @@ constexpr std::int64_t k_progress_us = 250'000;
 constexpr std::int64_t k_flush_us = 1'000'000;
 
 /// The interface that the option names, recognised or not, else all of every tablet that is plugged in.
-base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& options, const decode::TabletTable* own) {
+base::Result<std::vector<device::LiveTablet>> wanted_tablets(const RecordOptions& options,
+                                                             const decode::TabletTable* own) {
   if (!options.device.empty()) {
     auto interfaces = device::list_interfaces();
     auto events = device::list_event_devices();
@@ -85,7 +86,7 @@ std::string place_of(const device::LiveTablet& tablet) {
 
 class RecordRun {
  public:
-  RecordRun(const Options& options, const decode::TabletTable* own) : options_(options), own_(own) {}
+  RecordRun(const RecordOptions& options, const decode::TabletTable* own) : options_(options), own_(own) {}
   int run();
 
  private:
@@ -102,7 +103,7 @@ class RecordRun {
   void show_progress(std::int64_t now_us);
   void print_summary() const;
 
-  const Options& options_;
+  const RecordOptions& options_;
   const decode::TabletTable* own_;
   std::optional<device::TabletWatch> watch_;
   std::vector<Recorded> tablets_;
@@ -301,13 +302,13 @@ int RecordRun::run() {
   return k_success;
 }
 
-int record(const Options& options) {
+int record(const RecordOptions& options) {
   const auto own = files::read_own_tablets(options.own);
   if (!own) return files::report(own.error());
   return RecordRun(options, &*own).run();
 }
 
-void add_options(const Command& command, Options& options) {
+void add_record_options(const Command& command, RecordOptions& options) {
   command.add_option("-o,--output", options.output, "The trace to write").required();
   command.add_option("--device", options.device, "One device by its path, as `penpose devices` gives it");
   command.add_option("--seconds", options.seconds, "Stop after that time")
@@ -318,10 +319,10 @@ void add_options(const Command& command, Options& options) {
 }  // namespace
 
 Subcommand record_subcommand() {
-  return subcommand<Options>(
+  return subcommand<RecordOptions>(
       "record", files::Rights::all,
-      "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.", add_options,
-      record, {"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
+      "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.",
+      add_record_options, record, {"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
       {"penpose record -o short.hid --seconds 10", "ten seconds of them"});
 }
 

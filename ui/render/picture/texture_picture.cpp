@@ -82,7 +82,7 @@ void take_bytes(png_structp png, png_bytep out, png_size_t size) {
   from.at += size;
 }
 
-void keep_quiet(png_structp, png_const_charp) {}
+void keep_texture_quiet(png_structp, png_const_charp) {}
 [[noreturn]] void give_up(png_structp png, png_const_charp why) {
   auto& text = *static_cast<std::array<char, 100>*>(png_get_error_ptr(png));
   for (std::size_t i = 0; i + 1 < text.size() && why[i] != 0; ++i) text[i] = why[i];
@@ -154,7 +154,7 @@ base::Result<Image> decode_rows(png_structp png, png_infop info, std::size_t siz
 base::Result<Image> decode_png_rows(std::span<const std::uint8_t> bytes, std::uint32_t most_px) {
   std::array<char, 100> why{};
   PngBytes from{bytes};
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &why, &give_up, &keep_quiet);
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &why, &give_up, &keep_texture_quiet);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
   if (info == nullptr) {
     png_destroy_read_struct(&png, nullptr, nullptr);

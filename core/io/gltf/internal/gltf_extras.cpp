@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* k_export_again = "remove the extras or write the file again";
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
+base::Error wrong_extras(std::string what, std::string pointer, std::string remedy = k_export_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
@@ -34,7 +34,7 @@ std::optional<std::vector<double>> read_numbers(const json::Json& value, std::si
 
 std::optional<base::Error> read_shape(const json::Json& value, const std::string& pointer, rig::Parameter& out) {
   const json::Json* name = json::find(value, "name");
-  if (name == nullptr || !name->is_string()) return wrong("a name was expected", pointer);
+  if (name == nullptr || !name->is_string()) return wrong_extras("a name was expected", pointer);
   out.name = name->get<std::string>();
   const auto member = [&](const char* key) {
     const json::Json* found = json::find(value, key);
@@ -44,7 +44,7 @@ std::optional<base::Error> read_shape(const json::Json& value, const std::string
   const auto minimum = member("minimum");
   const auto maximum = member("maximum");
   if (!rest || !minimum || !maximum || !(*minimum < *maximum) || !(*minimum <= *rest && *rest <= *maximum)) {
-    return wrong("numbers minimum <= rest <= maximum were expected", pointer);
+    return wrong_extras("numbers minimum <= rest <= maximum were expected", pointer);
   }
   out.rest = *rest;
   out.minimum = *minimum;
@@ -55,14 +55,15 @@ std::optional<base::Error> read_shape(const json::Json& value, const std::string
 std::optional<base::Error> read_curve(const json::Json& value, const std::string& pointer, document::NamedCurve& out) {
   const json::Json* name = json::find(value, "name");
   const json::Json* points = json::find(value, "points");
-  if (name == nullptr || !name->is_string()) return wrong("a name was expected", pointer);
-  if (points == nullptr || !points->is_array()) return wrong("a list of points was expected", pointer);
+  if (name == nullptr || !name->is_string()) return wrong_extras("a name was expected", pointer);
+  if (points == nullptr || !points->is_array()) return wrong_extras("a list of points was expected", pointer);
   out.name = name->get<std::string>();
   for (std::size_t i = 0; i < points->size(); ++i) {
     const auto numbers = read_numbers((*points)[i], 4);
     const auto triangle = numbers ? json::whole_number((*points)[i][0], 0, 0xffffffffLL) : std::nullopt;
     if (!triangle)
-      return wrong("a point [triangle, b0, b1, b2] was expected", json::child(json::child(pointer, "points"), i));
+      return wrong_extras("a point [triangle, b0, b1, b2] was expected",
+                          json::child(json::child(pointer, "points"), i));
     out.points.push_back({static_cast<std::uint32_t>(*triangle), {(*numbers)[1], (*numbers)[2], (*numbers)[3]}});
   }
   return std::nullopt;
@@ -72,7 +73,7 @@ std::optional<base::Error> read_flag(const json::Json& object, const char* name,
                                      std::optional<bool>& out) {
   const json::Json* value = json::find(object, name);
   if (value == nullptr) return std::nullopt;
-  if (!value->is_boolean()) return wrong("true or false was expected", json::child(pointer, name));
+  if (!value->is_boolean()) return wrong_extras("true or false was expected", json::child(pointer, name));
   out = value->get<bool>();
   return std::nullopt;
 }
@@ -82,13 +83,13 @@ std::optional<base::Error> read_vector(const json::Json& object, const char* nam
   const json::Json* value = json::find(object, name);
   if (value == nullptr) return std::nullopt;
   const auto numbers = read_numbers(*value, 3);
-  if (!numbers) return wrong("three numbers were expected", json::child(pointer, name));
+  if (!numbers) return wrong_extras("three numbers were expected", json::child(pointer, name));
   out = glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   return std::nullopt;
 }
 
 std::optional<base::Error> read_node(const json::Json& object, const std::string& pointer, NodeExtras& out) {
-  if (!object.is_object()) return wrong("an object was expected", pointer);
+  if (!object.is_object()) return wrong_extras("an object was expected", pointer);
   std::optional<bool> joint;
   std::optional<bool> carried;
   std::optional<bool> still;
@@ -109,7 +110,7 @@ std::optional<base::Error> read_node(const json::Json& object, const std::string
   out.values = values.value_or(glm::dvec3(0));
   if (const json::Json* bind = json::find(object, "inverse_bind")) {
     const auto m = read_numbers(*bind, 16);
-    if (!m) return wrong("a matrix of 16 numbers was expected", json::child(pointer, "inverse_bind"));
+    if (!m) return wrong_extras("a matrix of 16 numbers was expected", json::child(pointer, "inverse_bind"));
     out.inverse_bind.emplace(1);
     for (int c = 0; c < 4; ++c) {
       for (int r = 0; r < 3; ++r) (*out.inverse_bind)[c][r] = (*m)[static_cast<std::size_t>(4 * c + r)];
@@ -119,7 +120,7 @@ std::optional<base::Error> read_node(const json::Json& object, const std::string
     const auto q = read_numbers(*rotation, 4);
     if (q) out.rest_rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
     if (!q || !(glm::dot(*out.rest_rotation, *out.rest_rotation) > 1e-12)) {
-      return wrong("a rotation [x, y, z, w] was expected", json::child(pointer, "rest_rotation"));
+      return wrong_extras("a rotation [x, y, z, w] was expected", json::child(pointer, "rest_rotation"));
     }
   }
   return std::nullopt;
@@ -128,7 +129,7 @@ std::optional<base::Error> read_node(const json::Json& object, const std::string
 std::optional<base::Error> read_one_way(const json::Json& value, const std::string& pointer, OneWayName& out) {
   const bool known = value.is_array() && value.size() == 3 && value[0].is_string() && value[1].is_string() &&
                      value[2].is_number() && (value[2] == 1.0 || value[2] == -1.0);
-  if (!known) return wrong("[name, target, 1 or -1] was expected", pointer);
+  if (!known) return wrong_extras("[name, target, 1 or -1] was expected", pointer);
   out = {value[0].get<std::string>(), value[1].get<std::string>(), value[2].get<double>()};
   return std::nullopt;
 }
@@ -140,7 +141,7 @@ std::optional<base::Error> read_list(const json::Json& object, const char* name,
   const json::Json* list = json::find(object, name);
   if (list == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, name);
-  if (!list->is_array()) return wrong("a list was expected", here);
+  if (!list->is_array()) return wrong_extras("a list was expected", here);
   for (std::size_t i = 0; i < list->size(); ++i) {
     if (auto error = read((*list)[i], json::child(here, i), out.emplace_back())) return error;
   }
@@ -166,7 +167,7 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   const auto read_index = [](const json::Json& value, const std::string& at,
                              std::size_t& out) -> std::optional<base::Error> {
     const auto index = json::whole_number(value, 0, 0xffffffffLL);
-    if (!index) return wrong("the number of an animation was expected", at);
+    if (!index) return wrong_extras("the number of an animation was expected", at);
     out = static_cast<std::size_t>(*index);
     return std::nullopt;
   };
@@ -174,7 +175,7 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   if (extras.of_another_edition) return extras;
   const json::Json* deformers = json::find(*own, "deformers");
   if (deformers != nullptr && deformers->size() > k_most_deformers) {
-    return wrong("a model has at most 1,000 deformers", json::child(pointer, "deformers"));
+    return wrong_extras("a model has at most 1,000 deformers", json::child(pointer, "deformers"));
   }
   const auto read_deformer = [](const json::Json& value, const std::string& at, articulation::Sketch& out) {
     return read_sketch(value, at, std::nullopt, out);
@@ -182,7 +183,7 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   if (auto error = read_list(*own, "deformers", pointer, read_deformer, extras.deformers)) return *error;
   const json::Json* corrections = json::find(*own, "corrections");
   if (corrections != nullptr && corrections->size() > k_most_corrections) {
-    return wrong("a model has at most 100 corrections", json::child(pointer, "corrections"));
+    return wrong_extras("a model has at most 100 corrections", json::child(pointer, "corrections"));
   }
   const auto read_correction = [](const json::Json& value, const std::string& at, articulation::CorrectionSketch& out) {
     auto error = read_sketch(value, at, std::nullopt, out.sketch);
@@ -191,9 +192,9 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   if (auto error = read_list(*own, "corrections", pointer, read_correction, extras.corrections)) return *error;
   const auto read_names = [](const json::Json& value, const std::string& at,
                              std::vector<std::string>& out) -> std::optional<base::Error> {
-    if (!value.is_array()) return wrong("a list of names was expected", at);
+    if (!value.is_array()) return wrong_extras("a list of names was expected", at);
     for (std::size_t i = 0; i < value.size(); ++i) {
-      if (!value[i].is_string()) return wrong("a name was expected", json::child(at, i));
+      if (!value[i].is_string()) return wrong_extras("a name was expected", json::child(at, i));
       out.push_back(value[i].get<std::string>());
     }
     return std::nullopt;
@@ -223,7 +224,7 @@ base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
       const double sum = point.barycentric[0] + point.barycentric[1] + point.barycentric[2];
       if (point.triangle < triangle_count && std::abs(sum - 1.0) < 1e-6) continue;
       const std::string curve = json::child(json::child(json::child("/extras", k_extras_key), "curves"), c);
-      return wrong("the point is not on the mesh", json::child(json::child(curve, "points"), i));
+      return wrong_extras("the point is not on the mesh", json::child(json::child(curve, "points"), i));
     }
   }
   return base::Done{};

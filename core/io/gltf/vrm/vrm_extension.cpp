@@ -9,12 +9,12 @@
 namespace penpose::io {
 namespace {
 
-const json::Json* extension(const json::Json& document, const char* name) {
+const json::Json* vrm_extension_of(const json::Json& document, const char* name) {
   const json::Json* extensions = json::find(document, "extensions");
   return extensions == nullptr ? nullptr : json::find(*extensions, name);
 }
 
-const json::Json* own_extras(const json::Json& document) {
+const json::Json* vrm_extras(const json::Json& document) {
   const json::Json* extras = json::find(document, "extras");
   return extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
 }
@@ -22,7 +22,7 @@ const json::Json* own_extras(const json::Json& document) {
 /// "humanoid" of penpose's extras: {BONE: number of the joint}.
 document::Humanoid own_humanoid(const json::Json& document, const std::vector<std::int32_t>& joint_of_node) {
   document::Humanoid result;
-  const json::Json* own = own_extras(document);
+  const json::Json* own = vrm_extras(document);
   const json::Json* listed = own == nullptr ? nullptr : json::find(*own, "humanoid");
   if (listed == nullptr || !listed->is_object()) return result;
   const std::int32_t last = joint_of_node.empty() ? -1 : *std::max_element(joint_of_node.begin(), joint_of_node.end());
@@ -56,13 +56,13 @@ class Bones {
 }  // namespace
 
 bool is_vrm_avatar(const json::Json& document) {
-  return extension(document, "VRMC_vrm") != nullptr || extension(document, "VRM") != nullptr;
+  return vrm_extension_of(document, "VRMC_vrm") != nullptr || vrm_extension_of(document, "VRM") != nullptr;
 }
 
 double vrm_front_yaw_degrees(const json::Json& document) {
-  if (extension(document, "VRMC_vrm") != nullptr) return 0;
-  if (extension(document, "VRM") != nullptr) return 180;
-  const json::Json* own = own_extras(document);
+  if (vrm_extension_of(document, "VRMC_vrm") != nullptr) return 0;
+  if (vrm_extension_of(document, "VRM") != nullptr) return 180;
+  const json::Json* own = vrm_extras(document);
   const json::Json* yaw = own == nullptr ? nullptr : json::find(*own, "front_yaw_degrees");
   const double degrees = yaw == nullptr ? 0 : json::number(*yaw).value_or(0);
   return std::abs(degrees) <= 360 ? degrees : 0;
@@ -71,14 +71,14 @@ double vrm_front_yaw_degrees(const json::Json& document) {
 bool is_vrm_animation(const json::Json& document) {
   const json::Json* meshes = json::find(document, "meshes");
   const bool none = meshes == nullptr || !meshes->is_array() || meshes->empty();
-  return none && extension(document, "VRMC_vrm_animation") != nullptr;
+  return none && vrm_extension_of(document, "VRMC_vrm_animation") != nullptr;
 }
 
 document::Humanoid vrm_humanoid(const json::Json& document, const std::vector<std::int32_t>& joint_of_node) {
   Bones bones(joint_of_node);
-  const json::Json* vrm0 = extension(document, "VRM");
-  const json::Json* vrm1 = extension(document, "VRMC_vrm");
-  if (vrm1 == nullptr) vrm1 = extension(document, "VRMC_vrm_animation");
+  const json::Json* vrm0 = vrm_extension_of(document, "VRM");
+  const json::Json* vrm1 = vrm_extension_of(document, "VRMC_vrm");
+  if (vrm1 == nullptr) vrm1 = vrm_extension_of(document, "VRMC_vrm_animation");
   const json::Json* vrm = vrm1 != nullptr ? vrm1 : vrm0;
   const json::Json* humanoid = vrm == nullptr ? nullptr : json::find(*vrm, "humanoid");
   const json::Json* listed = humanoid == nullptr ? nullptr : json::find(*humanoid, "humanBones");

@@ -12,7 +12,7 @@ namespace {
 
 using geometry::PxPoint;
 
-constexpr double k_most_pieces = 1000;  ///< of one curve
+constexpr double k_most_dash_pieces = 1000;  ///< of one curve
 
 double length(PxPoint v) { return std::sqrt(geometry::dot(v, v)); }
 
@@ -21,7 +21,7 @@ double length(PxPoint v) { return std::sqrt(geometry::dot(v, v)); }
 int pieces_of(PxPoint a, PxPoint b, PxPoint c, PxPoint d, double tolerance) {
   const double bend = std::max(length(a - b * 2 + c), length(b - c * 2 + d));
   const double pieces = std::ceil(std::sqrt(0.75 * bend / tolerance));
-  return static_cast<int>(pieces >= 1 ? std::min(pieces, k_most_pieces) : 1.0);
+  return static_cast<int>(pieces >= 1 ? std::min(pieces, k_most_dash_pieces) : 1.0);
 }
 
 /// The angle from the x axis (radians).

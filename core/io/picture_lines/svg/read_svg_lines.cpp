@@ -26,7 +26,7 @@ constexpr std::uint64_t k_most_effort = std::uint64_t{1} << 30;
 constexpr std::uint64_t k_effort_of_byte = 16;
 constexpr std::uint64_t k_effort_of_px = 16;  ///< of a filled shape
 constexpr double k_tolerance = 1e-4;          ///< of curves, in longer sides of the drawing
-constexpr double k_tolerance_px = 0.1;        ///< where the file does not say how large it is
+constexpr double k_svg_tolerance_px = 0.1;    ///< where the file does not say how large it is
 constexpr double k_paper_margin = 0.005;      ///< in sides of the drawing
 
 /// What an element has from those that it is in.
@@ -232,7 +232,7 @@ class SvgReader {
 
   SvgTree tree_;
   PictureLines lines_;
-  double tolerance_ = k_tolerance_px;
+  double tolerance_ = k_svg_tolerance_px;
   std::size_t shapes_ = 0;
   std::size_t points_ = 0;
   std::uint64_t effort_ = 0;

@@ -9,7 +9,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::size_t k_most_bytes = std::size_t{1} << 25;
+constexpr std::size_t k_most_svg_bytes = std::size_t{1} << 25;
 constexpr std::ptrdiff_t k_most_tags = 2'000'000;  ///< tags and attributes, each of which takes memory
 
 /// What comes behind a node in the order of the file; none at the end.
@@ -23,7 +23,7 @@ pugi::xml_node following(pugi::xml_node node) {
 
 base::Result<SvgTree> SvgTree::parse(base::Bytes bytes) {
   SvgTree tree(base::as_text(bytes));
-  if (bytes.size() > k_most_bytes) {
+  if (bytes.size() > k_most_svg_bytes) {
     return base::Error{"the drawing has more than 32 MB", "", "save its lines alone, without pictures"};
   }
   if (tree.text_.starts_with("\x1f\x8b")) {

@@ -12,19 +12,19 @@ using articulation::Mode;
 using articulation::Sketch;
 using geometry::ModelPoint;
 using geometry::PxPoint;
-using Problem = std::optional<base::Error>;
+using SketchProblem = std::optional<base::Error>;
 
-constexpr const char* k_see_format = "see the format of sketch files in the manual";
+constexpr const char* k_see_sketch_format = "see the format of sketch files in the manual";
 constexpr std::int64_t k_largest_viewport = 100000;
 constexpr std::int64_t k_most_pieces = 1000000;
 constexpr const char* k_modes[] = {"auto", "translate", "rotate"};
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy = k_see_format) {
+base::Error wrong_sketch(std::string what, std::string pointer, std::string remedy = k_see_sketch_format) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
 base::Error missing(const char* name, const std::string& pointer) {
-  return wrong("the key \"" + std::string(name) + "\" is missing", pointer.empty() ? "/" : pointer);
+  return wrong_sketch("the key \"" + std::string(name) + "\" is missing", pointer.empty() ? "/" : pointer);
 }
 
 /// The member of that name; null when it is missing or written as null.
@@ -39,18 +39,18 @@ std::optional<double> coordinate(const json::Json& value) {
   return n && std::abs(*n) < 1e30 ? n : std::nullopt;
 }
 
-Problem read_vector(const json::Json& value, const std::string& pointer, glm::dvec3& out) {
-  if (!value.is_array() || value.size() != 3) return wrong("a list of three numbers was expected", pointer);
+SketchProblem read_vector(const json::Json& value, const std::string& pointer, glm::dvec3& out) {
+  if (!value.is_array() || value.size() != 3) return wrong_sketch("a list of three numbers was expected", pointer);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto n = coordinate(value[i]);
-    if (!n) return wrong("a number was expected", json::child(pointer, i));
+    if (!n) return wrong_sketch("a number was expected", json::child(pointer, i));
     out[static_cast<int>(i)] = *n;
   }
   return std::nullopt;
 }
 
-Problem read_camera(const json::Json& value, const std::string& pointer, geometry::CameraPose& out) {
-  if (!value.is_object()) return wrong("a camera was expected", pointer);
+SketchProblem read_camera(const json::Json& value, const std::string& pointer, geometry::CameraPose& out) {
+  if (!value.is_object()) return wrong_sketch("a camera was expected", pointer);
   for (const auto& [name, place] : {std::pair{"eye", &out.eye}, {"look_at", &out.look_at}, {"up", &out.up}}) {
     const json::Json* vector = given(value, name);
     if (vector == nullptr && place == &out.up) continue;
@@ -59,7 +59,7 @@ Problem read_camera(const json::Json& value, const std::string& pointer, geometr
   }
   if (const json::Json* angle = given(value, "vertical_fov_degrees")) {
     const auto n = json::number(*angle);
-    if (!n) return wrong("a number was expected", json::child(pointer, "vertical_fov_degrees"));
+    if (!n) return wrong_sketch("a number was expected", json::child(pointer, "vertical_fov_degrees"));
     out.vertical_fov_degrees = *n;
   }
   auto camera = geometry::Camera::make(out, {});
@@ -69,29 +69,30 @@ Problem read_camera(const json::Json& value, const std::string& pointer, geometr
   return error;
 }
 
-Problem read_own_camera(const json::Json& value, const char* name, const std::string& pointer,
-                        std::optional<geometry::CameraPose>& out) {
+SketchProblem read_own_camera(const json::Json& value, const char* name, const std::string& pointer,
+                              std::optional<geometry::CameraPose>& out) {
   const json::Json* camera = given(value, name);
   if (camera == nullptr) return std::nullopt;
   return read_camera(*camera, json::child(pointer, name), out.emplace());
 }
 
-Problem read_curve(const json::Json& value, const char* name, const std::string& pointer, std::vector<PxPoint>& out) {
+SketchProblem read_curve(const json::Json& value, const char* name, const std::string& pointer,
+                         std::vector<PxPoint>& out) {
   const json::Json* list = given(value, name);
   if (list == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, name);
-  if (!list->is_array()) return wrong("a list of points was expected", here);
+  if (!list->is_array()) return wrong_sketch("a list of points was expected", here);
   for (std::size_t i = 0; i < list->size(); ++i) {
     const json::Json& point = (*list)[i];
     const auto x = point.is_array() && point.size() == 2 ? json::number(point[0]) : std::nullopt;
     const auto y = x ? json::number(point[1]) : std::nullopt;
-    if (!y) return wrong("a point [x, y] in px was expected", json::child(here, i));
+    if (!y) return wrong_sketch("a point [x, y] in px was expected", json::child(here, i));
     out.push_back({*x, *y});
   }
   return std::nullopt;
 }
 
-Problem read_mode(const json::Json& value, const std::string& pointer, Mode& out) {
+SketchProblem read_mode(const json::Json& value, const std::string& pointer, Mode& out) {
   const json::Json* mode = given(value, "mode");
   if (mode == nullptr) return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -100,30 +101,30 @@ Problem read_mode(const json::Json& value, const std::string& pointer, Mode& out
       return std::nullopt;
     }
   }
-  return wrong("the mode is not known", json::child(pointer, "mode"), R"(use "auto", "translate" or "rotate")");
+  return wrong_sketch("the mode is not known", json::child(pointer, "mode"), R"(use "auto", "translate" or "rotate")");
 }
 
-Problem read_member(const json::Json& value, const std::string& pointer, ModelPoint& out) {
+SketchProblem read_member(const json::Json& value, const std::string& pointer, ModelPoint& out) {
   return read_vector(value, pointer, out);
 }
-Problem read_member(const json::Json& value, const std::string& pointer, double& out) {
+SketchProblem read_member(const json::Json& value, const std::string& pointer, double& out) {
   const auto n = coordinate(value);
-  if (!n) return wrong("a number was expected", pointer);
+  if (!n) return wrong_sketch("a number was expected", pointer);
   out = *n;
   return std::nullopt;
 }
-Problem read_member(const json::Json& value, const std::string& pointer, std::string& out) {
-  if (!value.is_string()) return wrong("the name of a mesh was expected", pointer);
+SketchProblem read_member(const json::Json& value, const std::string& pointer, std::string& out) {
+  if (!value.is_string()) return wrong_sketch("the name of a mesh was expected", pointer);
   out = value.get<std::string>();
   return std::nullopt;
 }
 
 /// One member stands alone, more are an object.
 template <typename Kind>
-Problem read_kind(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
+SketchProblem read_kind(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
   Kind kind;
   constexpr bool k_alone = std::tuple_size_v<decltype(Kind::members(kind))> == 1;
-  Problem problem;
+  SketchProblem problem;
   base::each_member(kind, [&](std::string_view name, auto& member) {
     if (problem) return;
     if (k_alone) {
@@ -138,61 +139,63 @@ Problem read_kind(const json::Json& value, const std::string& pointer, articulat
   return problem;
 }
 
-Problem read_surface(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
+SketchProblem read_surface(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
   const json::Json* surface = given(value, "surface");
   if (surface == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, "surface");
   std::string forms;
-  std::optional<Problem> problem;
+  std::optional<SketchProblem> problem;
   articulation::each_surface_kind([&]<typename Kind>() {
     const std::string key(Kind::k_key);
     const json::Json* one = given(*surface, key.c_str());
     if (one != nullptr)
-      problem = problem ? wrong("a second surface is given", here) : read_kind<Kind>(*one, json::child(here, key), out);
+      problem = problem ? wrong_sketch("a second surface is given", here)
+                        : read_kind<Kind>(*one, json::child(here, key), out);
     forms += (forms.empty() ? "give " : " or ") + std::string(Kind::k_form);
   });
-  return problem ? *problem : wrong("the surface is not known", here, forms);
+  return problem ? *problem : wrong_sketch("the surface is not known", here, forms);
 }
 
-Problem read_range(const json::Json& value, const std::string& pointer, Sketch& out) {
+SketchProblem read_range(const json::Json& value, const std::string& pointer, Sketch& out) {
   const json::Json* range = given(value, "range");
   if (range == nullptr) return std::nullopt;
   const auto minimum = range->is_array() && range->size() == 2 ? json::number((*range)[0]) : std::nullopt;
   const auto maximum = minimum ? json::number((*range)[1]) : std::nullopt;
-  if (!maximum) return wrong("a range [minimum, maximum] was expected", json::child(pointer, "range"));
+  if (!maximum) return wrong_sketch("a range [minimum, maximum] was expected", json::child(pointer, "range"));
   out.minimum = *minimum;
   out.maximum = *maximum;
   return std::nullopt;
 }
 
-Problem read_taken(const json::Json& value, const std::string& pointer, Sketch& out) {
+SketchProblem read_taken(const json::Json& value, const std::string& pointer, Sketch& out) {
   if (const json::Json* reach = given(value, "reach")) {
     const bool front = reach->is_string() && reach->get<std::string>() == "front";
     if (!front && !(reach->is_string() && reach->get<std::string>() == "through")) {
-      return wrong("'through' or 'front' was expected", json::child(pointer, "reach"));
+      return wrong_sketch("'through' or 'front' was expected", json::child(pointer, "reach"));
     }
     out.reach = front ? articulation::Reach::front : articulation::Reach::through;
   }
   if (const json::Json* piece = given(value, "piece")) {
     const auto n = json::whole_number(*piece, 0, k_most_pieces);
-    if (!n) return wrong("the number of a piece, from 0, was expected", json::child(pointer, "piece"));
+    if (!n) return wrong_sketch("the number of a piece, from 0, was expected", json::child(pointer, "piece"));
     out.piece = static_cast<std::uint32_t>(*n);
   }
   return std::nullopt;
 }
 
-Problem read_betweens(const json::Json& value, const std::string& pointer, Sketch& out) {
+SketchProblem read_betweens(const json::Json& value, const std::string& pointer, Sketch& out) {
   const json::Json* list = given(value, "betweens");
   if (list == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, "betweens");
-  if (!list->is_array()) return wrong("a list of targets was expected", here);
-  if (list->size() > articulation::k_most_betweens) return wrong("there are too many targets", here, "use at most 64");
+  if (!list->is_array()) return wrong_sketch("a list of targets was expected", here);
+  if (list->size() > articulation::k_most_betweens)
+    return wrong_sketch("there are too many targets", here, "use at most 64");
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string at = json::child(here, i);
     const json::Json& one = (*list)[i];
     const json::Json* amount = one.is_object() ? given(one, "value") : nullptr;
     const auto n = amount == nullptr ? std::nullopt : json::number(*amount);
-    if (!n) return wrong("a target with its \"value\" was expected", at);
+    if (!n) return wrong_sketch("a target with its \"value\" was expected", at);
     articulation::Between& between = out.betweens.emplace_back();
     between.value = *n;
     if (given(one, "target") == nullptr) return missing("target", at);
@@ -238,11 +241,11 @@ std::optional<base::Error> read_viewport(const json::Json& object, const std::st
   const json::Json* size = given(object, "viewport");
   if (size == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, "viewport");
-  if (!size->is_array() || size->size() != 2) return wrong("a size [width, height] in px was expected", here);
+  if (!size->is_array() || size->size() != 2) return wrong_sketch("a size [width, height] in px was expected", here);
   std::int64_t sizes[2] = {0, 0};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto n = json::whole_number((*size)[i], 1, k_largest_viewport);
-    if (!n) return wrong("a whole number of px, 1 to 100000, was expected", json::child(here, i));
+    if (!n) return wrong_sketch("a whole number of px, 1 to 100000, was expected", json::child(here, i));
     sizes[i] = *n;
   }
   out = geometry::Viewport{static_cast<int>(sizes[0]), static_cast<int>(sizes[1])};
@@ -251,10 +254,10 @@ std::optional<base::Error> read_viewport(const json::Json& object, const std::st
 
 std::optional<base::Error> read_sketch(const json::Json& value, const std::string& pointer,
                                        std::optional<geometry::Viewport> viewport, Sketch& out) {
-  if (!value.is_object()) return wrong("a deformer was expected", pointer);
+  if (!value.is_object()) return wrong_sketch("a deformer was expected", pointer);
   const json::Json* name = given(value, "name");
   if (name == nullptr) return missing("name", pointer);
-  if (!name->is_string()) return wrong("a text was expected", json::child(pointer, "name"));
+  if (!name->is_string()) return wrong_sketch("a text was expected", json::child(pointer, "name"));
   out.name = name->get<std::string>();
   if (auto problem = read_viewport(value, pointer, viewport)) return problem;
   if (!viewport) return missing("viewport", pointer);
@@ -275,13 +278,13 @@ std::optional<base::Error> read_sketch(const json::Json& value, const std::strin
   if (auto problem = read_surface(value, pointer, out.surface)) return problem;
   if (auto problem = read_range(value, pointer, out)) return problem;
   if (const json::Json* paper = given(value, "paper")) {
-    if (!paper->is_boolean()) return wrong("true or false was expected", json::child(pointer, "paper"));
+    if (!paper->is_boolean()) return wrong_sketch("true or false was expected", json::child(pointer, "paper"));
     out.paper = paper->get<bool>();
   }
   if (const json::Json* sheet = given(value, "sheet")) {
     const bool other = sheet->is_string() && sheet->get<std::string>() == "other";
     if (!other && !(sheet->is_string() && sheet->get<std::string>() == "nearer")) {
-      return wrong("'nearer' or 'other' was expected", json::child(pointer, "sheet"));
+      return wrong_sketch("'nearer' or 'other' was expected", json::child(pointer, "sheet"));
     }
     out.other_sheet = other;
   }
@@ -299,14 +302,14 @@ std::optional<base::Error> read_drivers(const json::Json& value, const std::stri
   const json::Json* drivers = given(value, "drivers");
   if (drivers == nullptr) return missing("drivers", pointer);
   const std::string here = json::child(pointer, "drivers");
-  if (!drivers->is_array()) return wrong("a list of [control, value] was expected", here);
+  if (!drivers->is_array()) return wrong_sketch("a list of [control, value] was expected", here);
   if (drivers->size() < articulation::k_fewest_drivers || drivers->size() > articulation::k_most_drivers) {
-    return wrong("a correction is for a pose of 2 to 8 controls", here);
+    return wrong_sketch("a correction is for a pose of 2 to 8 controls", here);
   }
   for (std::size_t i = 0; i < drivers->size(); ++i) {
     const json::Json& one = (*drivers)[i];
     const auto n = one.is_array() && one.size() == 2 && one[0].is_string() ? json::number(one[1]) : std::nullopt;
-    if (!n) return wrong("[control, value] was expected", json::child(here, i));
+    if (!n) return wrong_sketch("[control, value] was expected", json::child(here, i));
     out.push_back({one[0].get<std::string>(), *n});
   }
   return std::nullopt;

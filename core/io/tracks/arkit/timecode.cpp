@@ -11,7 +11,7 @@ namespace penpose::io {
 namespace {
 
 constexpr double k_usual_count = 60;
-constexpr double k_day_s = 86400;
+constexpr double k_timecode_day_s = 86400;
 constexpr double k_dropped_count = 30;
 constexpr std::array<double, 6> k_counts{24, 25, 30, 48, 50, 60};
 
@@ -20,7 +20,7 @@ void add_padded(std::int64_t number, std::string& out) {
   out += std::to_string(number);
 }
 
-double middle(std::vector<double> values) {
+double middle_offset(std::vector<double> values) {
   std::stable_sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
@@ -131,16 +131,16 @@ CountedRate counted_rate(std::span<const Timecode> codes) {
       steps.push_back(codes[i].frames - codes[i - 1].frames);
   }
   const auto holds_all = [&](double count) { return count > most; };
-  const double step = steps.empty() ? 0 : middle(steps);
+  const double step = steps.empty() ? 0 : middle_offset(steps);
   std::vector<double> seconds;
   for (std::size_t i = 1; i < codes.size() && step > 0; ++i) {
     const double passed = codes[i].whole_s - codes[i - 1].whole_s;
     const double left_out = codes[i].drops && begins_short_minute(codes[i]) ? dropped(most) : 0;
-    if (passed == 1 || passed == 1 - k_day_s)
+    if (passed == 1 || passed == 1 - k_timecode_day_s)
       seconds.push_back(codes[i - 1].frames + step - codes[i].frames + left_out);
   }
   if (!seconds.empty()) {
-    const double seen = middle(seconds);
+    const double seen = middle_offset(seconds);
     const auto usual = usual_near(seen);
     if (usual && holds_all(*usual)) return {*usual, true};
     // A single second may have lost the frames at its end.

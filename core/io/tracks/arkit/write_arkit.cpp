@@ -18,18 +18,18 @@ namespace penpose::io {
 namespace {
 
 /// The controls that a column is the mean of, and how far they were from it at most.
-struct Column {
+struct ArkitColumn {
   std::vector<std::size_t> controls;
   double apart = 0;
 };
 
-std::vector<Column> find_columns(std::span<const rig::Parameter> parameters) {
-  std::vector<Column> columns;
+std::vector<ArkitColumn> find_columns(std::span<const rig::Parameter> parameters) {
+  std::vector<ArkitColumn> columns;
   for (const char* name : k_arkit_shapes) columns.push_back({rig::controls_named(parameters, name)});
   return columns;
 }
 
-double value_of(Column& column, const std::vector<double>& weights) {
+double value_of(ArkitColumn& column, const std::vector<double>& weights) {
   if (column.controls.empty()) return 0;
   double sum = 0;
   for (const std::size_t i : column.controls) sum += weights[i];
@@ -85,7 +85,7 @@ std::string list_of(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> notes_on(std::span<const rig::Parameter> parameters, const std::vector<Column>& columns) {
+std::vector<std::string> notes_on(std::span<const rig::Parameter> parameters, const std::vector<ArkitColumn>& columns) {
   std::vector<bool> written(parameters.size());
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -115,7 +115,7 @@ base::Result<ArkitText> write_arkit(const document::Model& model, double fps) {
   if (weights == 0) {
     return base::Error{"the model has no blend shape or deformer", "", "give a model with ARKit's blend shapes"};
   }
-  const auto has_control = [](const Column& column) { return !column.controls.empty(); };
+  const auto has_control = [](const ArkitColumn& column) { return !column.controls.empty(); };
   if (std::none_of(columns.begin(), columns.end(), has_control)) {
     return base::Error{
         "none of the model's " + std::to_string(weights) + " blend shapes and deformers has a name of ARKit", "",
@@ -144,7 +144,7 @@ base::Result<ArkitText> write_arkit(const document::Model& model, double fps) {
     text += format_timecode(time, timecode_count(fps));
     text += ',';
     text += count;
-    for (Column& column : columns) {
+    for (ArkitColumn& column : columns) {
       text += ',';
       text += base::format_double(value_of(column, values));
     }

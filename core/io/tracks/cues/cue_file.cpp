@@ -14,7 +14,7 @@
 namespace penpose::io {
 namespace {
 
-using Problem = std::optional<base::Error>;
+using CueProblem = std::optional<base::Error>;
 
 constexpr double k_moho_fps = 24;
 constexpr std::size_t k_most_cues = 1'000'000;
@@ -25,7 +25,7 @@ base::Error wrong_cues(std::string what, std::string place) {
   return {std::move(what), std::move(place), "export the cues again with Rhubarb (tsv, xml, json) or Papagayo (.dat)"};
 }
 
-Problem add(Cues& cues, std::optional<double> start, std::string_view shape, std::string place) {
+CueProblem add(Cues& cues, std::optional<double> start, std::string_view shape, std::string place) {
   constexpr double k_latest = 1e6;
   if (!start || !(*start >= 0) || !(*start < k_latest))
     return wrong_cues("a time of 0 or more was expected", std::move(place));
@@ -39,7 +39,7 @@ Problem add(Cues& cues, std::optional<double> start, std::string_view shape, std
 }
 
 /// "0.05<tab>D".
-Problem read_tsv(std::string_view text, Cues& cues) {
+CueProblem read_tsv(std::string_view text, Cues& cues) {
   TextLines lines(text);
   while (const auto line = lines.next()) {
     const std::string_view bare = base::trim(*line);
@@ -56,7 +56,7 @@ Problem read_tsv(std::string_view text, Cues& cues) {
 }
 
 /// "MohoSwitch1", then a frame from 1 and a shape a line.
-Problem read_moho(std::string_view text, Cues& cues) {
+CueProblem read_moho(std::string_view text, Cues& cues) {
   cues.fps = k_moho_fps;
   cues.counts_frames = true;
   TextLines lines(text);
@@ -74,7 +74,7 @@ Problem read_moho(std::string_view text, Cues& cues) {
   return std::nullopt;
 }
 
-Problem read_json(base::Bytes bytes, Cues& cues) {
+CueProblem read_json(base::Bytes bytes, Cues& cues) {
   const auto root = json::parse_loose_json(bytes);
   if (!root) return root.error();
   const json::Json* list = json::find(*root, "mouthCues");
@@ -104,7 +104,7 @@ std::string_view attribute(std::string_view tag, std::string_view name) {
 }
 
 /// <mouthCue start="0.00" end="0.05">X</mouthCue>.
-Problem read_xml(std::string_view text, Cues& cues) {
+CueProblem read_xml(std::string_view text, Cues& cues) {
   constexpr std::string_view k_tag = "<mouthCue ";
   for (std::size_t at = text.find(k_tag); at != std::string_view::npos; at = text.find(k_tag, at + 1)) {
     const std::string place = "byte offset " + std::to_string(at);
@@ -153,7 +153,7 @@ bool is_rhubarb_shape(std::string_view name) { return is_one_of(name, {"A", "B",
 base::Result<CueFile> read_cues(base::Bytes bytes) {
   const std::string_view text = base::without_mark(base::as_text(bytes));
   Cues cues;
-  Problem problem;
+  CueProblem problem;
   if (looks_like_json(bytes)) {
     problem = read_json(bytes, cues);
   } else if (is_xml_cues(text)) {

@@ -11,7 +11,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::size_t k_most_shapes = 200;
+constexpr std::size_t k_most_cue_shapes = 200;
 
 base::Error wrong_track(std::string what, std::string place) {
   return {std::move(what), std::move(place), "export the cues again with Rhubarb (tsv, xml, json) or Papagayo (.dat)"};
@@ -51,7 +51,7 @@ base::Result<animation::WeightTrack> make_track(const CueFile& cues) {
     const std::string name = cue_name(cues, cue);
     auto at = std::find(track.names.begin(), track.names.end(), name);
     if (at == track.names.end()) {
-      if (track.names.size() == k_most_shapes) return wrong_track("there are over 200 mouth shapes", cue.place);
+      if (track.names.size() == k_most_cue_shapes) return wrong_track("there are over 200 mouth shapes", cue.place);
       at = track.names.insert(at, name);
     }
     shapes.push_back(static_cast<std::size_t>(at - track.names.begin()));

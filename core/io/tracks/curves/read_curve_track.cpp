@@ -12,9 +12,9 @@
 namespace penpose::io {
 namespace {
 
-using Problem = std::optional<base::Error>;
+using CurveTrackProblem = std::optional<base::Error>;
 
-base::Error wrong(std::string what, std::string pointer) {
+base::Error wrong_curves(std::string what, std::string pointer) {
   return {std::move(what), std::move(pointer), R"(write {"fps": 25, "frames": [{"curves": {NAME: [[x, y], ...]}}]})"};
 }
 
@@ -37,23 +37,23 @@ struct KnownCurve {
   std::string first_place;  ///< JSON pointer
 };
 
-Problem read_points(const json::Json& list, const std::string& pointer, SeenCurve& curve) {
+CurveTrackProblem read_points(const json::Json& list, const std::string& pointer, SeenCurve& curve) {
   if (list.is_null()) {
     curve.why_not = "is missing";
     return std::nullopt;
   }
-  if (!list.is_array()) return wrong("a list of points was expected", pointer);
-  if (list.size() > 10000) return wrong("a curve has at most 10,000 points", pointer);
+  if (!list.is_array()) return wrong_curves("a list of points was expected", pointer);
+  if (list.size() > 10000) return wrong_curves("a curve has at most 10,000 points", pointer);
   if (list.size() < 2) curve.why_not = list.empty() ? "is empty" : "has a single point";
   for (std::size_t i = 0; i < list.size(); ++i) {
     const json::Json& point = list[i];
     if (!point.is_null() && (!point.is_array() || point.size() != 2)) {
-      return wrong("a point [x, y] was expected", json::child(pointer, i));
+      return wrong_curves("a point [x, y] was expected", json::child(pointer, i));
     }
     std::array<double, 2> at{std::nan(""), std::nan("")};
     for (std::size_t axis = 0; axis < 2 && !point.is_null(); ++axis) {
       if (!point[axis].is_number() && !point[axis].is_null())
-        return wrong("a number was expected", json::child(pointer, i));
+        return wrong_curves("a number was expected", json::child(pointer, i));
       at[axis] = json::number(point[axis]).value_or(at[axis]);
     }
     if (!usable_coordinate(at[0]) || !usable_coordinate(at[1])) curve.why_not = "has a point that is no number";
@@ -62,22 +62,23 @@ Problem read_points(const json::Json& list, const std::string& pointer, SeenCurv
   return std::nullopt;
 }
 
-class Reader {
+class CurveTrackReader {
  public:
-  Problem read_frame(const json::Json& value, const std::string& pointer) {
+  CurveTrackProblem read_frame(const json::Json& value, const std::string& pointer) {
     SeenFrame& frame = frames_.emplace_back();
     TrackRow& row = frame.row;
     row.line = frames_.size() - 1;
     const json::Json* curves = nullptr;
     if (!value.is_null()) {
-      if (!value.is_object()) return wrong("an object was expected", pointer);
+      if (!value.is_object()) return wrong_curves("an object was expected", pointer);
       for (const char* name : {"time", "confidence"}) {
         const json::Json* given = json::find(value, name);
         if (given == nullptr) continue;
         const bool time = name[0] == 't';
-        if (!given->is_number() && !given->is_null()) return wrong("a number was expected", json::child(pointer, name));
+        if (!given->is_number() && !given->is_null())
+          return wrong_curves("a number was expected", json::child(pointer, name));
         const auto n = json::number(*given);
-        if (n && std::abs(*n) > 1e19) return wrong("a number was expected", json::child(pointer, name));
+        if (n && std::abs(*n) > 1e19) return wrong_curves("a number was expected", json::child(pointer, name));
         if (time) {
           row.time_s = n;
         } else {
@@ -91,7 +92,7 @@ class Reader {
       return std::nullopt;
     }
     const std::string place = json::child(pointer, "curves");
-    if (!curves->is_object()) return wrong("an object of curves was expected", place);
+    if (!curves->is_object()) return wrong_curves("an object of curves was expected", place);
     if (!(row.confidence > 0)) row.why_held = "the confidence is 0";
     ++with_curves_;
     for (const auto& [name, points] : curves->items()) {
@@ -100,7 +101,7 @@ class Reader {
       const std::string here = json::child(place, curve.name);
       if (auto problem = read_points(points, here, curve)) return problem;
       KnownCurve& known = known_.try_emplace(curve.name, KnownCurve{0, 0, here}).first->second;
-      if (known_.size() > k_most_curves) return wrong("a track has at most 1,000 curves", here);
+      if (known_.size() > k_most_curves) return wrong_curves("a track has at most 1,000 curves", here);
       if (!curve.why_not.empty()) continue;
       ++known.shown;
       if (known.points == 0) known.points = curve.points.size();
@@ -114,7 +115,7 @@ class Reader {
     std::vector<animation::TrackGroup> groups;
     std::size_t count = 0;
     for (const auto& [name, curve] : known_) {
-      if (curve.shown == 0) return wrong("curve " + name + " has no points in any frame", curve.first_place);
+      if (curve.shown == 0) return wrong_curves("curve " + name + " has no points in any frame", curve.first_place);
       if (2 * curve.shown < with_curves_) {
         notes.push_back("curve " + name + " is shown by " + std::to_string(curve.shown) + " of " +
                         std::to_string(with_curves_) + " frames only and left out (" + curve.first_place + ")");
@@ -123,7 +124,7 @@ class Reader {
       groups.push_back({name, count, curve.points});
       count += curve.points;
     }
-    if (count * frames_.size() > k_most_points) return wrong("a track has at most 50,000,000 points", "/frames");
+    if (count * frames_.size() > k_most_points) return wrong_curves("a track has at most 50,000,000 points", "/frames");
     std::vector<TrackRow> rows;
     for (SeenFrame& frame : frames_) {
       if (frame.row.why_held.empty()) gather(frame, groups);
@@ -173,12 +174,13 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrd
   const auto json = json::parse_loose_json(bytes);
   if (!json) return json.error();
   const json::Json* frames = json::find(*json, "frames");
-  if (frames == nullptr || !frames->is_array()) return wrong("a list of frames was expected", "/frames");
-  if (frames->size() > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", "/frames");
+  if (frames == nullptr || !frames->is_array()) return wrong_curves("a list of frames was expected", "/frames");
+  if (frames->size() > k_most_track_frames) return wrong_curves("a track has at most 1,000,000 frames", "/frames");
   double fps = 0;
   if (const json::Json* given = json::find(*json, "fps")) {
     fps = json::number(*given).value_or(0);
-    if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 and up to 10,000 was expected", "/fps");
+    if (!(fps > 0) || !(fps <= 10000))
+      return wrong_curves("a frame rate above 0 and up to 10,000 was expected", "/fps");
   }
   // A point takes four bytes or more. Looked at before memory is taken for frames that show nothing.
   const auto empty =
@@ -187,7 +189,7 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrd
     return base::Error{"far more frames show no face than frames show one: " + std::to_string(empty) + " are empty",
                        "/frames", "cut the video to where the face is, and track it again"};
   }
-  Reader reader;
+  CurveTrackReader reader;
   for (std::size_t f = 0; f < frames->size(); ++f) {
     if (auto problem = reader.read_frame((*frames)[f], json::child("/frames", f))) return *problem;
   }

@@ -14,7 +14,7 @@
 namespace penpose::io {
 namespace {
 
-std::vector<std::string> names_of(std::size_t point, int axis) {
+std::vector<std::string> column_names_of(std::size_t point, int axis) {
   const std::string letter(1, "xyz"[axis]);
   const std::string number = std::to_string(point);
   std::string under = letter;
@@ -33,10 +33,10 @@ std::vector<std::string> names_of(std::size_t point, int axis) {
 }
 
 base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& count, std::vector<std::string>& notes) {
-  auto columns = find_point_columns(table, k_mediapipe_iris_points, names_of);
+  auto columns = find_point_columns(table, k_mediapipe_iris_points, column_names_of);
   count = k_mediapipe_iris_points;
   if (!columns) {
-    columns = find_point_columns(table, k_mediapipe_points, names_of);
+    columns = find_point_columns(table, k_mediapipe_points, column_names_of);
     count = k_mediapipe_points;
   }
   if (!columns) return columns.error();

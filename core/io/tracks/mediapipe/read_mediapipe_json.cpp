@@ -13,9 +13,9 @@
 namespace penpose::io {
 namespace {
 
-using Problem = std::optional<base::Error>;
+using MediapipeProblem = std::optional<base::Error>;
 
-base::Error wrong(std::string what, std::string pointer) {
+base::Error wrong_faces(std::string what, std::string pointer) {
   return {std::move(what), std::move(pointer), "export the track again, 468 or 478 points a face"};
 }
 
@@ -29,13 +29,13 @@ constexpr std::array<const char*, 9> k_points_names{
     "landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "multiFaceLandmarks", "points",
     "landmark",  "keypoints",     "faces"};
 
-struct Found {
+struct FoundFaces {
   const json::Json* value = nullptr;
   std::string place;
 };
 
 /// The points or faces of an object, or nothing.
-Found find_points(const json::Json& object, const std::string& pointer) {
+FoundFaces find_points(const json::Json& object, const std::string& pointer) {
   for (const char* name : k_points_names) {
     if (const json::Json* value = json::find(object, name)) return {value, json::child(pointer, name)};
   }
@@ -63,7 +63,7 @@ Frames find_frames(const json::Json& json) {
     if (is_face(*frames)) return {nullptr, frames, "/frames"};
     return {frames, nullptr, "/frames"};
   }
-  const Found points = find_points(json, "");
+  const FoundFaces points = find_points(json, "");
   if (points.value == nullptr || !points.value->is_array()) return {nullptr, nullptr, "/frames"};
   // The result for one picture lists a face; what lists more of them is taken for a clip.
   const bool clip = points.value->size() > 1 && !is_face(*points.value);
@@ -79,14 +79,14 @@ double member(const json::Json& point, const char* name, std::size_t index) {
 }
 
 /// One face of a frame. A point that is no number leaves `why_held`.
-Problem read_face(const json::Json& list, const std::string& pointer, TrackRow& out) {
+MediapipeProblem read_face(const json::Json& list, const std::string& pointer, TrackRow& out) {
   if (list.size() != k_mediapipe_points && list.size() != k_mediapipe_iris_points) {
     out.why_held = "a face of 468 or 478 points was expected, not of " + std::to_string(list.size());
     return std::nullopt;
   }
   bool depths = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!is_point(list[i])) return wrong("a point was expected", json::child(pointer, i));
+    if (!is_point(list[i])) return wrong_faces("a point was expected", json::child(pointer, i));
     const double x = member(list[i], "x", 0);
     const double y = member(list[i], "y", 1);
     const double z = member(list[i], "z", 2);
@@ -123,12 +123,12 @@ double distance_of(const TrackRow& a, const TrackRow& b) {
   return sum;
 }
 
-class Reader {
+class MediapipeReader {
  public:
-  Problem read_frame(const json::Json& value, const std::string& pointer, std::size_t index) {
+  MediapipeProblem read_frame(const json::Json& value, const std::string& pointer, std::size_t index) {
     TrackRow row;
     row.line = index;
-    Found found{&value, pointer};
+    FoundFaces found{&value, pointer};
     if (value.is_object()) {
       found = find_points(value, pointer);
       read_times(value, row);
@@ -138,7 +138,7 @@ class Reader {
     const json::Json* points = found.value;
     const std::string& place = found.place;
     const bool nothing = points == nullptr || points->is_null() || (points->is_array() && points->empty());
-    if (!nothing && !points->is_array()) return wrong("a list of points was expected", place);
+    if (!nothing && !points->is_array()) return wrong_faces("a list of points was expected", place);
     if (nothing) {
       if (row.why_held.empty()) row.why_held = "the tracker found no face";
     } else if (is_point((*points)[0])) {
@@ -183,7 +183,7 @@ class Reader {
   }
 
   /// The face nearest to the one before, at first the largest.
-  Problem choose_face(const json::Json& faces, const std::string& pointer, TrackRow& row) {
+  MediapipeProblem choose_face(const json::Json& faces, const std::string& pointer, TrackRow& row) {
     TrackRow best;
     double least = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -191,8 +191,8 @@ class Reader {
       const std::string place = json::child(pointer, i);
       // MediaPipe's own messages wrap the list once more.
       const json::Json* list = &faces[i];
-      if (const Found inner = find_points(faces[i], place); inner.value != nullptr) list = inner.value;
-      if (!list->is_array()) return wrong("a list of points was expected", place);
+      if (const FoundFaces inner = find_points(faces[i], place); inner.value != nullptr) list = inner.value;
+      if (!list->is_array()) return wrong_faces("a list of points was expected", place);
       if (auto problem = read_face(*list, place, face)) return problem;
       const double cost = last_.points.empty() ? -size_of(face) : distance_of(face, last_);
       if (i == 0 || cost < least) {
@@ -217,9 +217,9 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   if (!json) return json.error();
   const Frames frames = find_frames(*json);
   const bool listed = frames.list != nullptr && frames.list->is_array();
-  if (!listed && frames.one == nullptr) return wrong("a list of frames was expected", frames.place);
+  if (!listed && frames.one == nullptr) return wrong_faces("a list of frames was expected", frames.place);
   const std::size_t count = listed ? frames.list->size() : 1;
-  if (count > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", frames.place);
+  if (count > k_most_track_frames) return wrong_faces("a track has at most 1,000,000 frames", frames.place);
   const auto root_number = [&](const char* name) {
     const json::Json* found = json::find(*json, name);
     const auto n = found == nullptr ? std::nullopt : json::number(*found);
@@ -227,7 +227,7 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   };
   const PictureSize own{root_number("width"), root_number("height")};
   if (!picture && own.width > 0 && own.height > 0) picture = own;
-  Reader reader;
+  MediapipeReader reader;
   for (std::size_t f = 0; f < count; ++f) {
     const json::Json& frame = listed ? (*frames.list)[f] : *frames.one;
     auto problem = reader.read_frame(frame, listed ? json::child(frames.place, f) : frames.place, f);

@@ -17,11 +17,11 @@ namespace penpose::io {
 namespace {
 
 using json::Json;
-using Problem = std::optional<base::Error>;
+using ValueProblem = std::optional<base::Error>;
 
 constexpr std::size_t k_most_names = 10'000;
 
-base::Error wrong(std::string what, std::string pointer) {
+base::Error wrong_values(std::string what, std::string pointer) {
   return {std::move(what), std::move(pointer),
           "export the take again: MediaPipe's faceBlendshapes, or Audio2Face's facsNames and weightMat"};
 }
@@ -72,23 +72,23 @@ class Rows {
     rows_.values.emplace_back();
   }
   void hold(std::string why) { rows_.why.back() = std::move(why); }
-  Problem set(std::string_view name, const Json& value, const std::string& place) {
+  ValueProblem set(std::string_view name, const Json& value, const std::string& place) {
     if (base::same_but_case(name, "_neutral")) return std::nullopt;
     auto at = index_.find(name);
     if (at == index_.end()) {
-      if (rows_.names.size() >= k_most_names) return wrong("a take has at most 10,000 names", place);
+      if (rows_.names.size() >= k_most_names) return wrong_values("a take has at most 10,000 names", place);
       at = index_.emplace(std::string(name), rows_.names.size()).first;
       rows_.names.emplace_back(name);
     }
     auto& values = rows_.values.back();
     if (at->second >= values.size()) {
       held_ += at->second + 1 - values.size();
-      if (held_ > k_most_values) return wrong("a take has at most 50,000,000 values", place);
+      if (held_ > k_most_values) return wrong_values("a take has at most 50,000,000 values", place);
       values.resize(at->second + 1);
     }
     const auto number = json::number(value);
     if (!number || !(std::abs(*number) < 1e6)) {
-      if (!value.is_null() && !value.is_number()) return wrong("a number was expected", place);
+      if (!value.is_null() && !value.is_number()) return wrong_values("a number was expected", place);
       hold("a value is missing or no number");
       return std::nullopt;
     }
@@ -114,7 +114,7 @@ class Rows {
 
   base::Result<animation::WeightTrack> finish() {
     if (rows_.values.size() * rows_.names.size() > k_most_values)
-      return wrong("a take has at most 50,000,000 values", "");
+      return wrong_values("a take has at most 50,000,000 values", "");
     for (std::size_t f = 0; f < rows_.values.size(); ++f) rows_.values[f].resize(rows_.names.size());
     std::vector<std::string_view> names(rows_.names.begin(), rows_.names.end());
     std::vector<std::string> plain = plain_names(names);
@@ -133,11 +133,11 @@ class Rows {
   std::size_t held_ = 0;
 };
 
-class Reader {
+class ValueReader {
  public:
-  Reader(Rows& rows, const Json* names) : rows_(rows), names_(names) {}
+  ValueReader(Rows& rows, const Json* names) : rows_(rows), names_(names) {}
 
-  Problem read_frame(const Json& frame, const std::string& place, std::size_t number) {
+  ValueProblem read_frame(const Json& frame, const std::string& place, std::size_t number) {
     rows_.begin("frame " + std::to_string(number));
     if (!frame.is_object()) {
       rows_.untimed();
@@ -150,7 +150,7 @@ class Reader {
 
   /// Values by name, categories with scores, numbers in the order of the file's names, or a list of faces with any of
   /// these, of which the first counts.
-  Problem read_scores(const Json& scores, const std::string& place) {
+  ValueProblem read_scores(const Json& scores, const std::string& place) {
     if (scores.is_object()) {
       std::string name;
       if (const Json* inner = first_of(scores, {"categories", "values", "weights"}, &name);
@@ -163,7 +163,7 @@ class Reader {
       if (scores.empty()) rows_.hold("the tracker found no face");
       return std::nullopt;
     }
-    if (!scores.is_array()) return wrong("a list or an object of scores was expected", place);
+    if (!scores.is_array()) return wrong_values("a list or an object of scores was expected", place);
     if (scores.empty()) {
       rows_.hold("the tracker found no face");
       return std::nullopt;
@@ -176,7 +176,7 @@ class Reader {
       const Json* score = first_of(scores[i], {"score", "value", "weight"});
       if (name == nullptr || score == nullptr || !name->is_string()) {
         // A list of faces.
-        if (i > 0) return wrong("a category with its score was expected", here);
+        if (i > 0) return wrong_values("a category with its score was expected", here);
         several_ = several_ || scores.size() > 1;
         return read_scores(scores[0], here);
       }
@@ -191,7 +191,7 @@ class Reader {
 
  private:
   /// The scores of a frame, which may lie in what wraps them.
-  Problem read_members(const Json& frame, const std::string& place, int depth) {
+  ValueProblem read_members(const Json& frame, const std::string& place, int depth) {
     std::string name;
     const Json* scores = scores_of(frame, &name);
     // Streams to game engines name the shapes of every frame.
@@ -210,10 +210,11 @@ class Reader {
     return std::nullopt;
   }
 
-  Problem read_numbers(const Json& numbers, const std::string& place) {
-    if (names_ == nullptr) return wrong("there is no list of names for these numbers", place);
+  ValueProblem read_numbers(const Json& numbers, const std::string& place) {
+    if (names_ == nullptr) return wrong_values("there is no list of names for these numbers", place);
     if (numbers.size() != names_->size()) {
-      return wrong(std::to_string(numbers.size()) + " numbers for " + std::to_string(names_->size()) + " names", place);
+      return wrong_values(std::to_string(numbers.size()) + " numbers for " + std::to_string(names_->size()) + " names",
+                          place);
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (auto problem = rows_.set((*names_)[i].get_ref<const std::string&>(), numbers[i], json::child(place, i))) {
@@ -229,7 +230,7 @@ class Reader {
 };
 
 /// What lies in a file, wherever its members are: messages of services wrap them several times.
-struct Found {
+struct FoundValues {
   const Json* names = nullptr;
   const Json* frames = nullptr;  ///< a list of frames
   std::string place;
@@ -242,7 +243,7 @@ bool is_frames(const Json& value) {
   return first.is_object() || first.is_array();
 }
 
-void look(const Json& value, const std::string& place, std::size_t depth, Found& found) {
+void look(const Json& value, const std::string& place, std::size_t depth, FoundValues& found) {
   constexpr std::size_t k_deepest = 6;
   if (depth > k_deepest) return;
   if (value.is_array()) {
@@ -287,10 +288,10 @@ std::map<std::int64_t, const Json*> numbered_frames(const Json& object) {
   return frames;
 }
 
-Problem read_by_name(const Json& lists, const std::string& place, Rows& rows) {
+ValueProblem read_by_name(const Json& lists, const std::string& place, Rows& rows) {
   std::size_t count = 0;
   for (const Json& list : lists) count = std::max(count, list.size());
-  if (count > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", place);
+  if (count > k_most_track_frames) return wrong_values("a track has at most 1,000,000 frames", place);
   for (std::size_t f = 0; f < count; ++f) {
     rows.begin("frame " + std::to_string(f));
     rows.untimed();
@@ -306,12 +307,13 @@ Problem read_by_name(const Json& lists, const std::string& place, Rows& rows) {
   return std::nullopt;
 }
 
-Problem read_all(const Json& root, Rows& rows) {
-  Found found;
+ValueProblem read_all(const Json& root, Rows& rows) {
+  FoundValues found;
   look(root, "", 0, found);
-  Reader reader(rows, found.names);
-  const auto read_list = [&](const Json& list, const std::string& place) -> Problem {
-    if (list.size() > k_most_track_frames - rows.count()) return wrong("a track has at most 1,000,000 frames", place);
+  ValueReader reader(rows, found.names);
+  const auto read_list = [&](const Json& list, const std::string& place) -> ValueProblem {
+    if (list.size() > k_most_track_frames - rows.count())
+      return wrong_values("a track has at most 1,000,000 frames", place);
     for (std::size_t f = 0; f < list.size(); ++f) {
       if (auto problem = reader.read_frame(list[f], json::child(place, f), rows.count())) return problem;
     }

@@ -210,14 +210,14 @@ class TableReader {
 };
 
 /// The columns of a table with a row a value.
-struct LongColumns {
+struct LongValues {
   std::optional<std::size_t> name;
   std::optional<std::size_t> value;
   std::optional<std::size_t> clock;
 };
 
-LongColumns long_columns(const CsvReader& table) {
-  LongColumns columns;
+LongValues long_columns(const CsvReader& table) {
+  LongValues columns;
   for (const char* name : {"categoryname", "category_name", "blendshape", "blendshape_name", "shape", "name"}) {
     if (!columns.name) columns.name = table.find(name);
   }
@@ -228,7 +228,7 @@ LongColumns long_columns(const CsvReader& table) {
   return columns;
 }
 
-base::Result<animation::WeightTrack> read_long(CsvReader& table, const LongColumns& columns) {
+base::Result<animation::WeightTrack> read_long(CsvReader& table, const LongValues& columns) {
   ValueRows rows;
   ValueClock when(k_common_fps);
   std::map<std::string, std::size_t, std::less<>> index;
@@ -262,7 +262,7 @@ base::Result<animation::WeightTrack> read_long(CsvReader& table, const LongColum
   return make_value_track(std::move(rows), when);
 }
 
-bool is_long(const LongColumns& columns) { return columns.name && columns.value && columns.clock; }
+bool is_long(const LongValues& columns) { return columns.name && columns.value && columns.clock; }
 
 }  // namespace
 

@@ -15,21 +15,21 @@ base::Error wrong(std::string what, std::size_t offset) {
           "export the motion again as .vmd with its morph keys"};
 }
 
-struct Key {
+struct VmdKey {
   std::uint32_t frame = 0;
   double weight = 0;
 };
 
 /// The keys of one morph at every frame, linear between them as MikuMikuDance has them.
-void fill(std::vector<Key>& keys, std::size_t column, std::vector<animation::WeightFrame>& frames) {
-  std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
+void fill(std::vector<VmdKey>& keys, std::size_t column, std::vector<animation::WeightFrame>& frames) {
+  std::stable_sort(keys.begin(), keys.end(), [](const VmdKey& a, const VmdKey& b) { return a.frame < b.frame; });
   std::size_t after = 0;
   for (std::size_t f = 0; f < frames.size(); ++f) {
     while (after < keys.size() && keys[after].frame <= f) ++after;
     double value = after == 0 ? keys.front().weight : keys[after - 1].weight;
     if (after > 0 && after < keys.size()) {
-      const Key& a = keys[after - 1];
-      const Key& b = keys[after];
+      const VmdKey& a = keys[after - 1];
+      const VmdKey& b = keys[after];
       value += (b.weight - a.weight) * static_cast<double>(f - a.frame) / static_cast<double>(b.frame - a.frame);
     }
     frames[f].values[column] = value;
@@ -56,7 +56,7 @@ base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes) {
     return wrong("the file ends in its keys of morphs", bytes.size());
   }
   if (!morphs || *morphs == 0) return wrong("the motion has no keys of morphs", begin);
-  std::map<std::string, std::vector<Key>, std::less<>> keys;
+  std::map<std::string, std::vector<VmdKey>, std::less<>> keys;
   std::uint32_t last = 0;
   bool moves = false;
   for (std::uint32_t i = 0; i < *morphs; ++i) {
@@ -74,7 +74,7 @@ base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes) {
   // Programs write a key for every morph that the model has.
   if (moves) {
     std::erase_if(keys, [](const auto& morph) {
-      return std::all_of(morph.second.begin(), morph.second.end(), [](const Key& key) { return key.weight == 0; });
+      return std::all_of(morph.second.begin(), morph.second.end(), [](const VmdKey& key) { return key.weight == 0; });
     });
   }
   constexpr double k_most_values = 5e7;

@@ -9,14 +9,14 @@ namespace {
 
 /// The letters of two bytes that have the same first one, in the order of the second: 0x40 to 0x7e, then 0x80 to 0xfc.
 /// "?" where there is none, and none behind the last.
-struct Row {
+struct JisRow {
   unsigned first;
   std::u16string_view letters;
 };
 
 // Microsoft's code page 932, which is JIS X 0208 with the letters of NEC and IBM.
 // clang-format off
-constexpr Row k_rows[] = {
+constexpr JisRow k_jis_rows[] = {
     {0x81, u"\u3000、。，．・：；？！゛゜´｀¨＾￣＿ヽヾゝゞ〃仝々〆〇ー―‐／＼～∥｜…‥‘’“"
      u"”（）〔〕［］｛｝〈〉《》「」『』【】＋－±×÷＝≠＜＞≦≧∞∴♂♀°′″℃￥＄"
      u"￠￡％＃＆＊＠§☆★○●◎◇◆□■△▲▽▼※〒→←↑↓〓?\??\??\??\??\??∈"
@@ -239,8 +239,8 @@ constexpr unsigned k_half_first = 0xa1;
 constexpr unsigned k_half_last = 0xdf;
 constexpr char32_t k_half_code = 0xff61;
 
-const Row* row_of(unsigned first) {
-  for (const Row& row : k_rows) {
+const JisRow* row_of(unsigned first) {
+  for (const JisRow& row : k_jis_rows) {
     if (row.first == first) return &row;
   }
   return nullptr;
@@ -254,7 +254,7 @@ std::size_t place_of(unsigned second) {
 
 std::map<char32_t, unsigned> codes_of_letters() {
   std::map<char32_t, unsigned> codes;
-  for (const Row& row : k_rows) {
+  for (const JisRow& row : k_jis_rows) {
     // The letters of these rows are there again, and meant, in those from 0xfa on.
     if (row.first == 0xed || row.first == 0xee) continue;
     for (std::size_t i = 0; i < row.letters.size(); ++i) {
@@ -288,7 +288,7 @@ std::string utf8_of_shift_jis(base::Bytes bytes) {
     } else if (byte >= k_half_first && byte <= k_half_last) {
       text += base::utf8_of(k_half_code + byte - k_half_first);
     } else {
-      const Row* row = row_of(byte);
+      const JisRow* row = row_of(byte);
       const std::size_t place = i + 1 < bytes.size() ? place_of(bytes[i + 1]) : 1000;
       const bool known = row != nullptr && place < row->letters.size() && row->letters[place] != u'?';
       text += known ? base::utf8_of(row->letters[place]) : "?";

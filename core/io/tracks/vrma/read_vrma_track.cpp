@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* k_pointer = "/extensions/VRMC_vrm_animation";
 /// More than any avatar has.
-constexpr std::size_t k_most_expressions = 1000;
+constexpr std::size_t k_most_track_expressions = 1000;
 
 class MotionReader {
  public:
@@ -168,7 +168,7 @@ class MotionReader {
           track_.notes.push_back("expression " + base::valid_utf8(name) + " is left out: it names no node");
           continue;
         }
-        if (track_.expressions.size() == k_most_expressions) {
+        if (track_.expressions.size() == k_most_track_expressions) {
           track_.notes.emplace_back("expressions after the first 1,000 are left out");
           return base::Done{};
         }

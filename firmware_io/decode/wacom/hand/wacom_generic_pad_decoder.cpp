@@ -34,9 +34,9 @@ RingSense ring_sense(std::uint16_t product) {
   }
 }
 
-class Finder {
+class PadFinder {
  public:
-  Finder(const ReportDescriptor& descriptor, std::uint16_t product) : descriptor_(descriptor), product_(product) {}
+  PadFinder(const ReportDescriptor& descriptor, std::uint16_t product) : descriptor_(descriptor), product_(product) {}
 
   std::optional<PadLayout> run();
 
@@ -55,7 +55,7 @@ class Finder {
   unsigned turns_ = 0;
 };
 
-std::optional<PadControl> Finder::control_of(const Field& field, Usage usage) {
+std::optional<PadControl> PadFinder::control_of(const Field& field, Usage usage) {
   PadFeatures& has = layout_.features;
   PadControl control;
   const auto named = [&](PadKey key) {
@@ -126,7 +126,7 @@ std::optional<PadControl> Finder::control_of(const Field& field, Usage usage) {
   }
 }
 
-void Finder::add(const Field& field, std::uint32_t index, PadControl control) {
+void PadFinder::add(const Field& field, std::uint32_t index, PadControl control) {
   control.report_id = field.report_id;
   const bool power = control.role == PadRole::battery || control.role == PadRole::charging;
   control.in_block = is_wacom_function_keys(descriptor_, field) && !power;
@@ -136,7 +136,7 @@ void Finder::add(const Field& field, std::uint32_t index, PadControl control) {
   layout_.controls.push_back(control);
 }
 
-void Finder::add_power(const Field& field) {
+void PadFinder::add_power(const Field& field) {
   for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.count, k_most_controls_of_field); ++i) {
     const Usage usage = field.usage_of(i);
     PadControl control;
@@ -151,7 +151,7 @@ void Finder::add_power(const Field& field) {
   }
 }
 
-void Finder::add_field(const Field& field) {
+void PadFinder::add_field(const Field& field) {
   const std::uint64_t most = std::max<std::uint64_t>(field.usage_count(), field.count);
   for (std::uint32_t i = 0; i < std::min(most, k_most_controls_of_field); ++i) {
     const auto control = control_of(field, field.usage_of(i));
@@ -159,7 +159,7 @@ void Finder::add_field(const Field& field) {
   }
 }
 
-std::optional<PadLayout> Finder::run() {
+std::optional<PadLayout> PadFinder::run() {
   layout_.has_report_ids = descriptor_.has_report_ids;
   for (const Field* field : fields_by_report(descriptor_, hid::ReportType::input)) {
     if (!field->is_variable() || field->bit_size == 0 || field->bit_size > 32) continue;
@@ -181,7 +181,7 @@ std::int32_t wrapped(std::int64_t value, const DescribedControl& place) {
 }  // namespace
 
 std::optional<PadLayout> find_wacom_pad(const ReportDescriptor& descriptor, std::uint16_t product) {
-  return Finder(descriptor, product).run();
+  return PadFinder(descriptor, product).run();
 }
 
 WacomGenericPadDecoder::WacomGenericPadDecoder(PadLayout layout, std::shared_ptr<TouchSwitch> touch)

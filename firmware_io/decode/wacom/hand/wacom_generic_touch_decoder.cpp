@@ -13,9 +13,9 @@ using hid::ReportDescriptor;
 using hid::Usage;
 
 /// Room for fingers where the tablet has to be asked for it, which a decoder cannot.
-constexpr unsigned k_assumed_contacts = 16;
+constexpr unsigned k_generic_contacts = 16;
 
-FingerRole role_of(Usage usage) {
+FingerRole touch_role_of(Usage usage) {
   constexpr std::pair<Usage, FingerRole> k_roles[] = {{hid::k_x, FingerRole::x},
                                                       {hid::k_y, FingerRole::y},
                                                       {hid::k_contact_id, FingerRole::id},
@@ -45,7 +45,7 @@ bool may_end_finger(Usage usage) {
   }
 }
 
-bool has_usage(const Field& field, Usage wanted) {
+bool touch_has_usage(const Field& field, Usage wanted) {
   for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.usage_count(), k_most_controls_of_field); ++i) {
     if (standard_usage(field.usage_of(i)) == wanted) return true;
   }
@@ -82,11 +82,11 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field->count, k_most_controls_of_field); ++i) {
       const Usage usage = standard_usage(field->usage_of(i));
       FingerControl control;
-      control.role = role_of(usage);
+      control.role = touch_role_of(usage);
       control.ends_finger = usage == last && i + 1 == field->count;
       control.place = DescribedControl(*field, i);
       // Some sensors leave one bit's range for a number of more.
-      if (control.role == FingerRole::id && control.place.maximum - control.place.minimum < k_assumed_contacts)
+      if (control.role == FingerRole::id && control.place.maximum - control.place.minimum < k_generic_contacts)
         control.place.maximum = 255;
       if (control.ends_finger) ++report.fingers;
       note_axis(axes, usage, *field);
@@ -119,8 +119,8 @@ std::optional<FingerLayout> find_wacom_fingers(const ReportDescriptor& descripto
   if (layout.reports.empty() || !layout.axes.x.present || !layout.axes.y.present) return std::nullopt;
   layout.axes.contacts = 1;
   for (const Field& field : descriptor.fields) {
-    if (field.type == hid::ReportType::feature && has_usage(field, hid::k_contact_max))
-      layout.axes.contacts = k_assumed_contacts;
+    if (field.type == hid::ReportType::feature && touch_has_usage(field, hid::k_contact_max))
+      layout.axes.contacts = k_generic_contacts;
     const Usage application = descriptor.enclosing(field, hid::k_collection_application);
     if (field.type == hid::ReportType::input && application == hid::k_touch_screen) layout.axes.on_screen = true;
   }

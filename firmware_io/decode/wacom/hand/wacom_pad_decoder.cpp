@@ -107,7 +107,7 @@ PadFeatures features_of(const WacomHand& hand) {
   return has;
 }
 
-constexpr std::uint8_t k_status_report = 0xc0;
+constexpr std::uint8_t k_pad_status_report = 0xc0;
 
 /// Models that take a module with a battery, for a receiver.
 bool has_wireless_kit(Pad pad) { return pad == Pad::bamboo || pad == Pad::intuos_ht || pad == Pad::intuos5; }
@@ -139,7 +139,7 @@ void WacomPadDecoder::set_light(std::size_t side, std::int8_t light) {
 
 bool WacomPadDecoder::decode(base::Bytes report) {
   if (report.empty()) return false;
-  if (report[0] == k_status_report && has_wireless_kit(hand_.pad)) {
+  if (report[0] == k_pad_status_report && has_wireless_kit(hand_.pad)) {
     take_status(report);
     return false;
   }

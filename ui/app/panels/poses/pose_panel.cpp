@@ -22,7 +22,7 @@ namespace penpose::app {
 namespace {
 
 /// What is shown and changed here.
-struct Owners {
+struct PosePanelOwners {
   EditingSession& editing;
   Playback& playback;
   PanelState& panels;
@@ -47,7 +47,7 @@ rig::Pose posed(const document::Document& document, const document::SetParameter
 }
 
 /// A picture of a key, which chooses it.
-void show_picture(PanelContext& context, const Owners& with, const document::PoseKey& key, float width) {
+void show_picture(PanelContext& context, const PosePanelOwners& with, const document::PoseKey& key, float width) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
   const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
@@ -80,7 +80,7 @@ void show_picture(PanelContext& context, const Owners& with, const document::Pos
 }
 
 /// The expressions that the model came with, by name: two in a row.
-void show_expressions(PanelContext& context, const Owners& with) {
+void show_expressions(PanelContext& context, const PosePanelOwners& with) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   const auto model = with.editing.document().model;
   if (model->expressions.empty()) return;
@@ -98,7 +98,7 @@ void show_expressions(PanelContext& context, const Owners& with) {
   }
 }
 
-void show_pictures(PanelContext& context, const Owners& with, float height) {
+void show_pictures(PanelContext& context, const PosePanelOwners& with, float height) {
   begin_list(context, "pictures", {0, height});
   const auto [across, width] = picture_row(context, 4.0F * context.unit, height);
   const auto held = with.editing.document().timeline;
@@ -116,7 +116,7 @@ void show_pictures(PanelContext& context, const Owners& with, float height) {
 }
 
 /// What of the chosen pose is taken, and how much of it.
-void show_choice(PanelContext& context, const Owners& with) {
+void show_choice(PanelContext& context, const PosePanelOwners& with) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   show_part_buttons(context, choice.part, "What of the pose is taken");
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -147,7 +147,7 @@ void show_choice(PanelContext& context, const Owners& with) {
 }
 
 /// Keeps the chosen pose in the library.
-void show_keep(PanelContext& context, const Owners& with) {
+void show_keep(PanelContext& context, const PosePanelOwners& with) {
   const PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   document::Document document = with.editing.document();
   ImGui::BeginDisabled(!choice.chosen());
@@ -187,7 +187,7 @@ void show_part_buttons(PanelContext& context, FacePart& chosen, const char* tip)
 
 void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels,
                 PoseShelf& shelf) {
-  const Owners with{editing, playback, panels, shelf};
+  const PosePanelOwners with{editing, playback, panels, shelf};
   PosesShown& shown = panels.own.of<PosesShown>();
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   if (wide_button(context, "This file##poses", half, !shown.library, "Poses that are keyed here"))

@@ -16,7 +16,7 @@ namespace {
 constexpr ImU32 k_key_color = IM_COL32(255, 168, 0, 255);
 constexpr ImU32 k_selected_color = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 k_group_color = IM_COL32(190, 140, 60, 255);
-constexpr float k_key_units = 0.2F;
+constexpr float k_sheet_key_units = 0.2F;
 
 /// The sheet as it lies on the panel.
 struct Sheet {
@@ -152,7 +152,7 @@ void draw_rows(PanelContext& context, const TimelineOwners& with, const Sheet& s
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto& timeline = *with.editing.document().timeline;
   const KeySelection& selected = with.keys.selected();
-  const float half = k_key_units * context.unit;
+  const float half = k_sheet_key_units * context.unit;
   for (std::size_t row = 0; row < sheet.rows.size(); ++row) {
     const float y = sheet.middle_of(row);
     if (y + sheet.row_height < sheet.strip.from.y || y - sheet.row_height > sheet.strip.to().y) continue;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double k_finest_frames = 0.1;
 
-struct Owners {
+struct OverlapPanelOwners {
   EditingSession& editing;
   OverlapOffer& offer;
   [[nodiscard]] std::string name(std::size_t control) const {
@@ -23,7 +23,7 @@ struct Owners {
   }
 };
 
-std::string title_of(const Owners& with) {
+std::string title_of(const OverlapPanelOwners& with) {
   const auto& all = with.offer.trailing();
   std::string title = with.name(all.front().overlap.control);
   if (all.size() == 2) title += " and " + with.name(all.back().overlap.control);
@@ -31,14 +31,14 @@ std::string title_of(const Owners& with) {
   return title + (all.size() == 1 ? " trails" : " trail");
 }
 
-std::string keys_text(const Owners& with) {
+std::string keys_text(const OverlapPanelOwners& with) {
   std::size_t keys = 0;
   for (const auto& one : with.offer.trailing()) keys += one.keys.times_s.size();
   return std::to_string(keys) + " keys";
 }
 
 /// Whose motion they take.
-void show_leader(PanelContext& context, const Owners& with) {
+void show_leader(PanelContext& context, const OverlapPanelOwners& with) {
   OverlapValues values = with.offer.values();
   const std::string label = (values.leader ? "After " + with.name(*values.leader) : "After their own motion");
   if (wide_button(context, (fitted_text(label, ImGui::GetContentRegionAvail().x - context.unit) + "##leader").c_str(),
@@ -74,7 +74,7 @@ bool show_slider(PanelContext& context, const Slider& slider, const std::string&
   return moved || released;
 }
 
-void show_values(PanelContext& context, const Owners& with) {
+void show_values(PanelContext& context, const OverlapPanelOwners& with) {
   const auto text = [](const char* format, double value) {
     char out[64];
     std::snprintf(out, sizeof out, format, value);
@@ -116,7 +116,7 @@ void show_values(PanelContext& context, const Owners& with) {
 void show_overlap(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
                   OverlapOffer& offer) {
   if (!offer.open()) return;
-  const Owners with{editing, offer};
+  const OverlapPanelOwners with{editing, offer};
   const Area free = canvas.free_area();
   const double width =
       std::min(8.5 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));

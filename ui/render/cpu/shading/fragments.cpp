@@ -15,7 +15,7 @@ inline float larger(float a, float b) { return b + above_zero(a - b); }
 inline float smaller(float a, float b) { return b - above_zero(b - a); }
 
 /// 0..1; zero for what is no number.
-inline float unit(float a) {
+inline float clamped(float a) {
   const float positive = a > 0.0F ? a : 0.0F;
   return positive < 1.0F ? positive : 1.0F;
 }
@@ -143,9 +143,9 @@ void shade(Fragments& f, const PxToEye& eye) {
     f.shine[i] = above_zero(p.red[i] - 0.4F * (p.diffuse_red[i] + p.diffuse_green[i] + p.diffuse_blue[i]));
   }
   for (int i = 0; i < f.count; ++i) {
-    f.shown_red[i] = std::sqrt(unit(p.red[i]));
-    f.shown_green[i] = std::sqrt(unit(p.green[i]));
-    f.shown_blue[i] = std::sqrt(unit(p.blue[i]));
+    f.shown_red[i] = std::sqrt(clamped(p.red[i]));
+    f.shown_green[i] = std::sqrt(clamped(p.green[i]));
+    f.shown_blue[i] = std::sqrt(clamped(p.blue[i]));
   }
   const SrgbTables& srgb = SrgbTables::get();
   for (int i = 0; i < f.count; ++i) {

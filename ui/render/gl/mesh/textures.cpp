@@ -9,7 +9,7 @@
 namespace penpose::render {
 namespace {
 
-constexpr std::uint64_t k_most_px = 9'600'000;
+constexpr std::uint64_t k_most_texture_px = 9'600'000;
 
 int power_of_two_near(int size) {
   int power = 1;
@@ -75,7 +75,7 @@ Textures::Texture::~Texture() {
 }
 
 void Textures::keep(const document::Look& look, std::span<const LookBatch> batches) {
-  pictures_.keep(look, batches, k_most_px, [this](Image image) {
+  pictures_.keep(look, batches, k_most_texture_px, [this](Image image) {
     return Texture(modern_ ? send(image, true) : send(with_even_sides(std::move(image)), false));
   });
   glBindTexture(GL_TEXTURE_2D, 0);

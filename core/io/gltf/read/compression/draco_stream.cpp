@@ -21,12 +21,13 @@ namespace {
 /// What a triangle takes while its stream is read: three corners, and the library's tables of them.
 constexpr std::uint64_t k_bytes_a_triangle = 12;
 
-base::Error wrong(std::string what, std::string remedy = k_copy_again) {
+base::Error wrong_draco(std::string what, std::string remedy = k_copy_again) {
   return {std::move(what), "", std::move(remedy)};
 }
 
 base::Error too_much() {
-  return wrong("the file unpacks to far more than it has bytes", "divide the model, or export it without compression");
+  return wrong_draco("the file unpacks to far more than it has bytes",
+                     "divide the model, or export it without compression");
 }
 
 /// An attribute as its stream describes it, before the library makes whole numbers of it.
@@ -103,9 +104,9 @@ class Numbers {
       have = 3;
     }
     if (have != components || components > 4) {
-      return wrong("Draco's attribute " + std::to_string(described_.unique_id) + " has " + std::to_string(have) +
-                       " numbers a vertex where " + std::to_string(components) + " were expected",
-                   k_export_again);
+      return wrong_draco("Draco's attribute " + std::to_string(described_.unique_id) + " has " + std::to_string(have) +
+                             " numbers a vertex where " + std::to_string(components) + " were expected",
+                         k_export_again);
     }
     return base::Done{};
   }
@@ -171,7 +172,7 @@ class Numbers {
   }
 
  private:
-  static base::Error damaged() { return wrong("the Draco stream is cut off or damaged"); }
+  static base::Error damaged() { return wrong_draco("the Draco stream is cut off or damaged"); }
 
   template <typename T>
   bool raw(draco::AttributeValueIndex entry, std::span<T> out) const {
@@ -239,7 +240,7 @@ base::Result<std::vector<std::uint8_t>> numbers_of(const draco::Mesh& mesh, std:
   const auto found = std::find_if(described.begin(), described.end(),
                                   [&](const Described& one) { return one.unique_id == wanted.unique_id; });
   if (found == described.end()) {
-    return wrong("the Draco stream has no attribute " + std::to_string(wanted.unique_id), k_export_again);
+    return wrong_draco("the Draco stream has no attribute " + std::to_string(wanted.unique_id), k_export_again);
   }
   const draco::PointAttribute* attribute = mesh.attribute(static_cast<int>(found - described.begin()));
   Numbers numbers(*attribute, *found);
@@ -254,9 +255,9 @@ base::Result<std::vector<std::uint8_t>> numbers_of(const draco::Mesh& mesh, std:
       fits = put(wanted.component_type, bytes, one == 1.0 ? values[c] : std::max(values[c] / one, -1.0));
     }
     if (!fits) {
-      return wrong("a number of Draco's attribute " + std::to_string(wanted.unique_id) +
-                       " does not fit the accessor that names it",
-                   k_export_again);
+      return wrong_draco("a number of Draco's attribute " + std::to_string(wanted.unique_id) +
+                             " does not fit the accessor that names it",
+                         k_export_again);
     }
   }
   return bytes;
@@ -276,14 +277,14 @@ base::Result<DracoMesh> unpack(base::Bytes stream, bool edge_breaker, std::span<
   const draco::Status status = decoder.Decode(options, &buffer, &mesh);
   if (decoder.is_too_much()) return too_much();
   if (!status.ok() || mesh.num_points() == 0 || mesh.num_faces() == 0) {
-    return wrong("the Draco stream is cut off or damaged");
+    return wrong_draco("the Draco stream is cut off or damaged");
   }
   DracoMesh result;
   result.points = mesh.num_points();
   result.corners.reserve(std::size_t{mesh.num_faces()} * 3);
   for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
     for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f))) {
-      if (corner.value() >= result.points) return wrong("the Draco stream is cut off or damaged");
+      if (corner.value() >= result.points) return wrong_draco("the Draco stream is cut off or damaged");
       result.corners.push_back(corner.value());
     }
   }
@@ -302,15 +303,15 @@ base::Result<DracoMesh> unpack_draco(base::Bytes stream, std::span<const DracoAt
   buffer.Init(reinterpret_cast<const char*>(stream.data()), stream.size());
   draco::DracoHeader header;
   if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) {
-    return wrong("the data is no Draco stream", "export the file again, or without compression");
+    return wrong_draco("the data is no Draco stream", "export the file again, or without compression");
   }
   if (header.version_major != 2 || header.version_minor != 2) {
-    return wrong("Draco's version " + std::to_string(header.version_major) + "." +
-                     std::to_string(header.version_minor) + " is not the 2.2 that glTF has",
-                 "export the file without compression");
+    return wrong_draco("Draco's version " + std::to_string(header.version_major) + "." +
+                           std::to_string(header.version_minor) + " is not the 2.2 that glTF has",
+                       "export the file without compression");
   }
   if (header.encoder_type != draco::TRIANGULAR_MESH) {
-    return wrong("the Draco stream holds points and no triangles", "export the file without compression");
+    return wrong_draco("the Draco stream holds points and no triangles", "export the file without compression");
   }
   if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
     return unpack<draco::MeshSequentialDecoder>(stream, false, wanted, most);
@@ -318,7 +319,7 @@ base::Result<DracoMesh> unpack_draco(base::Bytes stream, std::span<const DracoAt
   if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING) {
     return unpack<draco::MeshEdgebreakerDecoder>(stream, true, wanted, most);
   }
-  return wrong("the Draco stream is cut off or damaged");
+  return wrong_draco("the Draco stream is cut off or damaged");
 }
 
 }  // namespace penpose::io

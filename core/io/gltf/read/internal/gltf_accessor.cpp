@@ -12,7 +12,7 @@ namespace {
 /// Zeros that no byte of the file stands for are dear: whoever writes them has nothing to say.
 constexpr std::uint64_t k_cost_of_zeros = 16;
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
+base::Error wrong_accessor(std::string what, std::string pointer, std::string remedy = k_export_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
@@ -29,21 +29,22 @@ base::Result<Run> locate(const GltfDocument& document, int view_index, std::uint
   const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(view_index)];
   const base::Bytes buffer = document.buffers[static_cast<std::size_t>(view.buffer)];
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
-    return wrong("the buffer view reaches past the end of its buffer (" + std::to_string(buffer.size()) + " bytes)",
-                 "/bufferViews/" + std::to_string(view_index));
+    return wrong_accessor(
+        "the buffer view reaches past the end of its buffer (" + std::to_string(buffer.size()) + " bytes)",
+        "/bufferViews/" + std::to_string(view_index));
   }
   const std::uint64_t stride = view.byteStride == 0 ? element_size : view.byteStride;
   if (stride < element_size) {
-    return wrong(
+    return wrong_accessor(
         "a byteStride of " + std::to_string(stride) + " for elements of " + std::to_string(element_size) + " bytes",
         "/bufferViews/" + std::to_string(view_index) + "/byteStride");
   }
   // count < 2^31 and stride <= 252, or an element size of 64 at most: no overflow.
   const std::uint64_t needed = (count - 1) * stride + element_size;
   if (offset > view.byteLength || needed > view.byteLength - offset) {
-    return wrong(std::to_string(count) + " elements need " + std::to_string(needed) + " bytes at byte " +
-                     std::to_string(offset) + " of a buffer view of " + std::to_string(view.byteLength),
-                 pointer);
+    return wrong_accessor(std::to_string(count) + " elements need " + std::to_string(needed) + " bytes at byte " +
+                              std::to_string(offset) + " of a buffer view of " + std::to_string(view.byteLength),
+                          pointer);
   }
   return Run{buffer.data() + view.byteOffset + offset, static_cast<std::size_t>(stride)};
 }
@@ -122,8 +123,8 @@ std::size_t size_of(int component_type) {
 
 base::Status spend(GltfDocument& document, std::uint64_t numbers, const std::string& pointer) {
   if (numbers > document.budget) {
-    return wrong("the file unfolds to far more numbers than it has bytes", pointer,
-                 "it is damaged or hostile; export it again without shared data");
+    return wrong_accessor("the file unfolds to far more numbers than it has bytes", pointer,
+                          "it is damaged or hostile; export it again without shared data");
   }
   document.budget -= static_cast<std::size_t>(numbers);
   return base::Done{};
@@ -134,9 +135,9 @@ base::Status read_sparse(GltfDocument& document, const tinygltf::Accessor& acces
   const auto& sparse = accessor.sparse;
   const std::string here = pointer + "/sparse";
   const auto count = static_cast<std::size_t>(sparse.count);
-  if (count > elements.count) return wrong("more sparse elements than elements", here + "/count");
+  if (count > elements.count) return wrong_accessor("more sparse elements than elements", here + "/count");
   if (!is_index_type(sparse.indices.componentType)) {
-    return wrong("sparse indices of a type that is no unsigned integer", here + "/indices/componentType");
+    return wrong_accessor("sparse indices of a type that is no unsigned integer", here + "/indices/componentType");
   }
   const std::size_t size = size_of(accessor.componentType) * elements.components;
   const auto indices =
@@ -150,9 +151,9 @@ base::Status read_sparse(GltfDocument& document, const tinygltf::Accessor& acces
   elements.sparse = copy_indices(*indices, count, sparse.indices.componentType);
   for (std::size_t i = 0; i < count; ++i) {
     if (elements.sparse[i] >= elements.count || (i > 0 && elements.sparse[i] <= elements.sparse[i - 1])) {
-      return wrong("sparse index " + std::to_string(i) + " (" + std::to_string(elements.sparse[i]) +
-                       ") is out of range or out of order",
-                   here + "/indices");
+      return wrong_accessor("sparse index " + std::to_string(i) + " (" + std::to_string(elements.sparse[i]) +
+                                ") is out of range or out of order",
+                            here + "/indices");
     }
   }
   copy_run(*values, count, elements.components, accessor.componentType, accessor.normalized, elements.sparse_values);
@@ -192,23 +193,24 @@ base::Result<Elements> read_elements(GltfDocument& document, int index, const El
   const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(index)];
   const std::string pointer = accessor_pointer(index);
   if (accessor.type != rule.type) {
-    return wrong(std::string(type_name(rule.type)) + " was expected", pointer + "/type");
+    return wrong_accessor(std::string(type_name(rule.type)) + " was expected", pointer + "/type");
   }
   const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
   const bool is_known = is_float || is_index_type(accessor.componentType) ||
                         accessor.componentType == TINYGLTF_COMPONENT_TYPE_BYTE ||
                         accessor.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
   if (!is_known || (rule.float_only && !is_float)) {
-    return wrong("component type " + std::to_string(accessor.componentType) + " cannot be used here",
-                 pointer + "/componentType");
+    return wrong_accessor("component type " + std::to_string(accessor.componentType) + " cannot be used here",
+                          pointer + "/componentType");
   }
   Elements elements;
   elements.count = accessor.count;
   elements.components =
       static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(rule.type)));
   if (rule.count && elements.count != *rule.count) {
-    return wrong(std::to_string(elements.count) + " elements where " + std::to_string(*rule.count) + " were expected",
-                 pointer + "/count");
+    return wrong_accessor(
+        std::to_string(elements.count) + " elements where " + std::to_string(*rule.count) + " were expected",
+        pointer + "/count");
   }
   const bool is_zeros = accessor.bufferView < 0;
   if (!is_zeros || !rule.stays_sparse) {
@@ -224,7 +226,7 @@ base::Result<Elements> read_elements(GltfDocument& document, int index, const El
     elements.has_base = true;
     copy_run(*run, elements.count, elements.components, accessor.componentType, accessor.normalized, elements.base);
   } else if (rule.needs_data && !accessor.sparse.isSparse) {
-    return wrong("the accessor has no data", pointer);
+    return wrong_accessor("the accessor has no data", pointer);
   }
   if (accessor.sparse.isSparse) {
     if (const auto read = read_sparse(document, accessor, pointer, elements); !read) return read.error();
@@ -235,11 +237,11 @@ base::Result<Elements> read_elements(GltfDocument& document, int index, const El
 base::Result<std::vector<std::uint32_t>> read_indices(GltfDocument& document, int index) {
   const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(index)];
   const std::string pointer = accessor_pointer(index);
-  if (accessor.type != TINYGLTF_TYPE_SCALAR) return wrong("SCALAR was expected", pointer + "/type");
+  if (accessor.type != TINYGLTF_TYPE_SCALAR) return wrong_accessor("SCALAR was expected", pointer + "/type");
   if (!is_index_type(accessor.componentType)) {
-    return wrong("indices of a type that is no unsigned integer", pointer + "/componentType");
+    return wrong_accessor("indices of a type that is no unsigned integer", pointer + "/componentType");
   }
-  if (accessor.bufferView < 0 || accessor.sparse.isSparse) return wrong("indices without plain data", pointer);
+  if (accessor.bufferView < 0 || accessor.sparse.isSparse) return wrong_accessor("indices without plain data", pointer);
   if (auto spent = spend(document, k_cost_of_geometry * accessor.count, pointer); !spent) return spent.error();
   const auto run = locate(document, accessor.bufferView, accessor.byteOffset, accessor.count,
                           size_of(accessor.componentType), pointer);

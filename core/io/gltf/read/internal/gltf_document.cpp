@@ -17,7 +17,7 @@ constexpr std::uint32_t k_json_chunk = 0x4e4f534a;  // "JSON"
 constexpr std::uint32_t k_binary_chunk = 0x004e4942;
 // Of files beside the model: more are no model, and all of them are held at once.
 constexpr std::size_t k_most_files = 4096;
-constexpr std::uint64_t k_most_bytes = std::uint64_t{1} << 32;
+constexpr std::uint64_t k_most_document_bytes = std::uint64_t{1} << 32;
 constexpr const char* k_truncated = "the file is cut off or damaged; copy or export it again";
 
 base::Error at_byte(std::string what, std::size_t offset, std::string remedy = k_truncated) {
@@ -111,9 +111,10 @@ base::Result<base::Bytes> load_uri(GltfDocument& document, const std::string& ur
   }
   std::uint64_t held = bytes->size();
   for (const auto& owned : document.owned) held += owned->size();
-  if (held > k_most_bytes) {
-    return base::Error{"the files of the model are larger than " + std::to_string(k_most_bytes >> 20) + " MiB together",
-                       pointer, "divide the model, or leave something out of it"};
+  if (held > k_most_document_bytes) {
+    return base::Error{
+        "the files of the model are larger than " + std::to_string(k_most_document_bytes >> 20) + " MiB together",
+        pointer, "divide the model, or leave something out of it"};
   }
   auto kept = keep(document, std::move(bytes).value());
   if (kept) files.emplace(*path, *kept);

@@ -14,7 +14,7 @@ namespace {
 // A product of a few dozen of these stays finite.
 constexpr double k_largest = 1e15;
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy) {
+base::Error wrong_node(std::string what, std::string pointer, std::string remedy) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
@@ -83,7 +83,7 @@ base::Result<NodeTransform> take_apart(const std::vector<double>& m, const std::
   const bool affine =
       std::abs(m[3]) < k_near && std::abs(m[7]) < k_near && std::abs(m[11]) < k_near && std::abs(m[15] - 1.0) < k_near;
   if (!affine || !all_moderate(m)) {
-    return wrong("the matrix is no transform of space", pointer, "export the file again with valid transforms");
+    return wrong_node("the matrix is no transform of space", pointer, "export the file again with valid transforms");
   }
   const glm::dmat3 columns(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]);
   NodeTransform transform;
@@ -112,8 +112,8 @@ base::Result<NodeTransform> node_transform(const GltfDocument& document, std::si
   const std::string pointer = node_pointer(index);
   if (!node.matrix.empty()) return take_apart(node.matrix, pointer + "/matrix");
   if (!all_moderate(node.translation) || !all_moderate(node.scale) || !all_moderate(node.rotation)) {
-    return wrong("the transform has a number that is too large", pointer,
-                 "export the file again with valid transforms");
+    return wrong_node("the transform has a number that is too large", pointer,
+                      "export the file again with valid transforms");
   }
   NodeTransform transform;
   if (node.translation.size() == 3)

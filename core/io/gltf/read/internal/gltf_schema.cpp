@@ -14,7 +14,7 @@ namespace penpose::io {
 namespace {
 
 // On a 32-bit machine no more than tinygltf's size_t holds: a larger one must not be cut to another that fits.
-constexpr std::int64_t k_most_bytes =
+constexpr std::int64_t k_most_schema_bytes =
     static_cast<std::int64_t>(std::min<std::uint64_t>(std::uint64_t{1} << 40, std::numeric_limits<std::size_t>::max()));
 // tinygltf keeps several of these in an int.
 constexpr std::int64_t k_most_int = 0x7fffffff;
@@ -46,8 +46,8 @@ struct Member {
 constexpr auto k_asset = std::to_array<Member>({{"version", Kind::text}});
 constexpr auto k_buffer_view = std::to_array<Member>({
     {"buffer", Kind::index, true, 0, 0, "buffers"},
-    {"byteOffset", Kind::whole, false, 0, k_most_bytes},
-    {"byteLength", Kind::whole, true, 0, k_most_bytes},
+    {"byteOffset", Kind::whole, false, 0, k_most_schema_bytes},
+    {"byteLength", Kind::whole, true, 0, k_most_schema_bytes},
     {"byteStride", Kind::whole, false, 0, 252},
 });
 constexpr auto k_sparse_indices = std::to_array<Member>({
@@ -66,7 +66,7 @@ constexpr auto k_sparse = std::to_array<Member>({
 });
 constexpr auto k_accessor = std::to_array<Member>({
     {"bufferView", Kind::index, false, 0, 0, "bufferViews"},
-    {"byteOffset", Kind::whole, false, 0, k_most_bytes},
+    {"byteOffset", Kind::whole, false, 0, k_most_schema_bytes},
     {"componentType", Kind::whole, true, 5120, 5126},
     {"normalized", Kind::flag},
     {"count", Kind::whole, true, 0, k_most_int},
@@ -143,7 +143,7 @@ constexpr auto k_root = std::to_array<Member>({
     {"scene", Kind::index, false, 0, 0, "scenes"},
 });
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
+base::Error wrong_member(std::string what, std::string pointer, std::string remedy = k_export_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
@@ -153,7 +153,7 @@ class Vetter {
 
   base::Result<json::Json> object(const json::Json& value, std::span<const Member> members,
                                   const std::string& pointer) const {
-    if (!value.is_object()) return wrong("an object was expected", pointer.empty() ? "/" : pointer);
+    if (!value.is_object()) return wrong_member("an object was expected", pointer.empty() ? "/" : pointer);
     json::Json vetted = json::Json::object();
     for (const Member& member : members) {
       const json::Json* found = json::find(value, member.name);
@@ -162,7 +162,8 @@ class Vetter {
       if (found != nullptr && member.kind == Kind::text && !member.required && !found->is_string()) found = nullptr;
       if (found == nullptr) {
         if (!member.required) continue;
-        return wrong("the member \"" + std::string(member.name) + "\" is missing", pointer.empty() ? "/" : pointer);
+        return wrong_member("the member \"" + std::string(member.name) + "\" is missing",
+                            pointer.empty() ? "/" : pointer);
       }
       auto checked = any(*found, member, json::child(pointer, member.name));
       if (!checked) return checked.error();
@@ -175,20 +176,20 @@ class Vetter {
   base::Result<json::Json> any(const json::Json& value, const Member& member, const std::string& pointer) const {
     switch (member.kind) {
       case Kind::text:
-        if (!value.is_string()) return wrong("a text was expected", pointer);
+        if (!value.is_string()) return wrong_member("a text was expected", pointer);
         return value;
       case Kind::flag:
-        if (!value.is_boolean()) return wrong("true or false was expected", pointer);
+        if (!value.is_boolean()) return wrong_member("true or false was expected", pointer);
         return value;
       case Kind::number:
-        if (!json::number(value)) return wrong("a number was expected", pointer);
+        if (!json::number(value)) return wrong_member("a number was expected", pointer);
         return value;
       case Kind::whole: {
         const auto whole = json::whole_number(value, member.minimum, member.maximum);
         if (!whole) {
-          return wrong("a whole number from " + std::to_string(member.minimum) + " to " +
-                           std::to_string(member.maximum) + " was expected",
-                       pointer);
+          return wrong_member("a whole number from " + std::to_string(member.minimum) + " to " +
+                                  std::to_string(member.maximum) + " was expected",
+                              pointer);
         }
         return json::Json(*whole);
       }
@@ -211,24 +212,24 @@ class Vetter {
         return each(value, pointer,
                     [&](const json::Json& item, const std::string& here) { return attributes(item, here); });
     }
-    return wrong("an unknown member", pointer);
+    return wrong_member("an unknown member", pointer);
   }
 
   base::Result<json::Json> index(const json::Json& value, const char* target, const std::string& pointer) const {
     const json::Json* array = json::find(root_, target);
     const std::size_t size = array != nullptr && array->is_array() ? array->size() : 0;
     const auto whole = json::whole_number(value, 0, k_most_int);
-    if (!whole) return wrong("an index into " + std::string(target) + " was expected", pointer);
+    if (!whole) return wrong_member("an index into " + std::string(target) + " was expected", pointer);
     if (static_cast<std::size_t>(*whole) >= size) {
-      return wrong("index " + std::to_string(*whole) + " into " + target + ", which has " + std::to_string(size),
-                   pointer);
+      return wrong_member("index " + std::to_string(*whole) + " into " + target + ", which has " + std::to_string(size),
+                          pointer);
     }
     return json::Json(*whole);
   }
 
   template <typename Check>
   static base::Result<json::Json> each(const json::Json& value, const std::string& pointer, Check check) {
-    if (!value.is_array()) return wrong("a list was expected", pointer);
+    if (!value.is_array()) return wrong_member("a list was expected", pointer);
     json::Json vetted = json::Json::array();
     for (std::size_t i = 0; i < value.size(); ++i) {
       auto checked = check(value[i], json::child(pointer, i));
@@ -240,16 +241,17 @@ class Vetter {
 
   static base::Result<json::Json> numbers(const json::Json& value, std::size_t count, const std::string& pointer) {
     if (!value.is_array() || (count != 0 && value.size() != count)) {
-      return wrong("a list of " + (count == 0 ? "" : std::to_string(count) + " ") + "numbers was expected", pointer);
+      return wrong_member("a list of " + (count == 0 ? "" : std::to_string(count) + " ") + "numbers was expected",
+                          pointer);
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-      if (!json::number(value[i])) return wrong("a number was expected", json::child(pointer, i));
+      if (!json::number(value[i])) return wrong_member("a number was expected", json::child(pointer, i));
     }
     return value;
   }
 
   base::Result<json::Json> attributes(const json::Json& value, const std::string& pointer) const {
-    if (!value.is_object()) return wrong("an object of attributes was expected", pointer);
+    if (!value.is_object()) return wrong_member("an object of attributes was expected", pointer);
     json::Json vetted = json::Json::object();
     for (const auto& [name, accessor] : value.items()) {
       auto checked = index(accessor, "accessors", json::child(pointer, name));
@@ -288,10 +290,10 @@ void drop_channels_without_node(json::Json& vetted, std::vector<std::string>& no
 }  // namespace
 
 base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::string>& notes) {
-  if (!document.is_object()) return wrong("an object was expected", "/");
+  if (!document.is_object()) return wrong_member("an object was expected", "/");
   if (json::find(document, "asset") == nullptr && json::find(document, "meshes") == nullptr) {
-    return wrong("this is JSON, but no glTF: it has neither \"asset\" nor \"meshes\"", "/",
-                 "choose a file with a model, or download the file itself");
+    return wrong_member("this is JSON, but no glTF: it has neither \"asset\" nor \"meshes\"", "/",
+                        "choose a file with a model, or download the file itself");
   }
   // First: what another version or an extension changes must not be called damaged.
   if (auto error = check_version(document)) return *error;

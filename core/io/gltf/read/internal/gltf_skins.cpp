@@ -14,7 +14,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::int32_t k_none = -1;
+constexpr std::int32_t k_no_joint = -1;
 /// Joints of a skin that stand for nothing: vertices that follow them have no influence.
 constexpr std::uint32_t k_still = 0xffffffffU;
 
@@ -27,7 +27,7 @@ class SkeletonReader {
   base::Result<GltfSkeleton> read() {
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
       const std::int32_t skin = skin_of(i);
-      if (skin == k_none || !document_.model.skins[static_cast<std::size_t>(skin)].joints.empty()) continue;
+      if (skin == k_no_joint || !document_.model.skins[static_cast<std::size_t>(skin)].joints.empty()) continue;
       return base::Error{"the skin has no joints", "/skins/" + std::to_string(skin), k_export_again};
     }
     if (auto status = read_transforms(); !status) return status.error();
@@ -42,7 +42,7 @@ class SkeletonReader {
     if (auto status = read_skins(); !status) return status.error();
     result_.first_influence.push_back(0);
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
-      auto status = skin_of(i) != k_none ? skin_part(i) : carry_part(i);
+      auto status = skin_of(i) != k_no_joint ? skin_part(i) : carry_part(i);
       if (!status) return status.error();
     }
     if (unweighted_) {
@@ -66,7 +66,7 @@ class SkeletonReader {
     const PartOrigin& origin = meshes_.origins[part];
     const auto& attributes = origin.primitive(document_).attributes;
     const bool weighted = attributes.contains("JOINTS_0") && attributes.contains("WEIGHTS_0");
-    return weighted ? nodes()[origin.node].skin : k_none;
+    return weighted ? nodes()[origin.node].skin : k_no_joint;
   }
 
   base::Status read_transforms() {
@@ -83,13 +83,13 @@ class SkeletonReader {
     }
     std::vector<bool> matters(nodes().size(), false);
     const auto mark = [&](std::size_t node) {
-      for (auto n = static_cast<std::int32_t>(node); n != k_none && !matters[static_cast<std::size_t>(n)];
+      for (auto n = static_cast<std::int32_t>(node); n != k_no_joint && !matters[static_cast<std::size_t>(n)];
            n = tree_.parent[static_cast<std::size_t>(n)]) {
         matters[static_cast<std::size_t>(n)] = true;
       }
     };
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
-      if (skin_of(i) == k_none) mark(meshes_.origins[i].node);
+      if (skin_of(i) == k_no_joint) mark(meshes_.origins[i].node);
     }
     for (const auto& skin : document_.model.skins) {
       for (const int joint : skin.joints) mark(static_cast<std::size_t>(joint));
@@ -114,14 +114,14 @@ class SkeletonReader {
   void find_carriers() {
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
       auto node = static_cast<std::int32_t>(meshes_.origins[i].node);
-      carrier_.push_back(k_none);
-      if (skin_of(i) != k_none) continue;
+      carrier_.push_back(k_no_joint);
+      if (skin_of(i) != k_no_joint) continue;
       while (extras_[static_cast<std::size_t>(node)].carried_by_parent &&
-             tree_.parent[static_cast<std::size_t>(node)] != k_none) {
+             tree_.parent[static_cast<std::size_t>(node)] != k_no_joint) {
         node = tree_.parent[static_cast<std::size_t>(node)];
       }
       bool goes_along = extras_[static_cast<std::size_t>(node)].joint;
-      for (auto n = node; n != k_none && !goes_along; n = tree_.parent[static_cast<std::size_t>(n)]) {
+      for (auto n = node; n != k_no_joint && !goes_along; n = tree_.parent[static_cast<std::size_t>(n)]) {
         goes_along = moved_[static_cast<std::size_t>(n)] || animated_[static_cast<std::size_t>(n)];
       }
       if (goes_along) carrier_.back() = node;
@@ -132,19 +132,19 @@ class SkeletonReader {
     std::vector<bool> needed(nodes().size(), false);
     posable_.assign(nodes().size(), false);
     const auto need = [&](std::size_t node) {
-      for (auto n = static_cast<std::int32_t>(node); n != k_none && !needed[static_cast<std::size_t>(n)];
+      for (auto n = static_cast<std::int32_t>(node); n != k_no_joint && !needed[static_cast<std::size_t>(n)];
            n = tree_.parent[static_cast<std::size_t>(n)]) {
         needed[static_cast<std::size_t>(n)] = true;
       }
     };
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
       const std::int32_t skin = skin_of(i);
-      if (skin != k_none) used_skins_.insert(static_cast<std::size_t>(skin));
-      if (carrier_[i] == k_none) continue;
+      if (skin != k_no_joint) used_skins_.insert(static_cast<std::size_t>(skin));
+      if (carrier_[i] == k_no_joint) continue;
       const auto node = static_cast<std::size_t>(carrier_[i]);
       need(node);
       const std::int32_t parent = tree_.parent[node];
-      if (meshes_.origins.size() > 1 && parent != k_none && nodes()[static_cast<std::size_t>(parent)].mesh >= 0) {
+      if (meshes_.origins.size() > 1 && parent != k_no_joint && nodes()[static_cast<std::size_t>(parent)].mesh >= 0) {
         posable_[node] = true;
       }
     }
@@ -171,10 +171,10 @@ class SkeletonReader {
   }
 
   void sort_parents_first(const std::vector<bool>& needed) {
-    joint_of_node_.assign(nodes().size(), k_none);
+    joint_of_node_.assign(nodes().size(), k_no_joint);
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
     for (std::size_t n = 0; n < nodes().size(); ++n) {
-      if (needed[n] && tree_.parent[n] == k_none) ready.push(n);
+      if (needed[n] && tree_.parent[n] == k_no_joint) ready.push(n);
     }
     while (!ready.empty()) {
       const std::size_t node = ready.top();
@@ -193,7 +193,7 @@ class SkeletonReader {
       rig::Joint joint;
       joint.name = nodes()[node].name;
       const std::int32_t parent = tree_.parent[node];
-      joint.parent = parent == k_none ? k_none : joint_of_node_[static_cast<std::size_t>(parent)];
+      joint.parent = parent == k_no_joint ? k_no_joint : joint_of_node_[static_cast<std::size_t>(parent)];
       joint.translation = transforms_[node].translation;
       joint.rest_rotation = extras.rest_rotation.value_or(transforms_[node].rotation);
       joint.scale = transforms_[node].scale;
@@ -335,9 +335,9 @@ class SkeletonReader {
   base::Status carry_part(std::size_t index) {
     const std::int32_t node = carrier_[index];
     const std::size_t count = meshes_.source.parts[index].vertex_count;
-    const std::uint32_t joint = node == k_none ? 0 : joint_with_bind(static_cast<std::size_t>(node), glm::dmat4(1));
+    const std::uint32_t joint = node == k_no_joint ? 0 : joint_with_bind(static_cast<std::size_t>(node), glm::dmat4(1));
     for (std::size_t v = 0; v < count; ++v) {
-      if (node != k_none) result_.influences.push_back({joint, 1.0});
+      if (node != k_no_joint) result_.influences.push_back({joint, 1.0});
       result_.first_influence.push_back(static_cast<std::uint32_t>(result_.influences.size()));
     }
     return base::Done{};

@@ -11,11 +11,11 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+constexpr std::size_t k_no_skin = static_cast<std::size_t>(-1);
 
-json::Json to_json(const glm::dvec3& v) { return json::Json::array({v.x, v.y, v.z}); }
+json::Json vector_json(const glm::dvec3& v) { return json::Json::array({v.x, v.y, v.z}); }
 json::Json numbers_of(const glm::dmat4& m) { return std::vector<double>(&m[0][0], &m[0][0] + 16); }
-json::Json to_json(const glm::dquat& q) { return json::Json::array({q.x, q.y, q.z, q.w}); }
+json::Json vector_json(const glm::dquat& q) { return json::Json::array({q.x, q.y, q.z, q.w}); }
 
 void add_bind(const glm::dmat4& matrix, std::vector<float>& numbers) {
   for (int c = 0; c < 4; ++c) {
@@ -67,22 +67,22 @@ void GlbSkin::write_joints(GlbNodes& out) const {
     glm::dvec3 angles(0);
     if (joint.posable) {
       for (int axis = 0; axis < 3; ++axis) angles[axis] = model_.pose[parameter++];
-      own["minimum"] = to_json(joint.minimum);
-      own["maximum"] = to_json(joint.maximum);
-      if (angles != glm::dvec3(0)) own["values"] = to_json(angles);
+      own["minimum"] = vector_json(joint.minimum);
+      own["maximum"] = vector_json(joint.maximum);
+      if (angles != glm::dvec3(0)) own["values"] = vector_json(angles);
     }
     glm::dquat rotation = joint.rest_rotation;
     if (angles != glm::dvec3(0)) rotation = rotation * geometry::quaternion_from_xyz(angles);
     const double length = std::sqrt(glm::dot(rotation, rotation));
     if (std::abs(length - 1.0) > 1e-12) rotation = rotation / length;
-    if (rotation != joint.rest_rotation) own["rest_rotation"] = to_json(joint.rest_rotation);
+    if (rotation != joint.rest_rotation) own["rest_rotation"] = vector_json(joint.rest_rotation);
     if (glm::dmat4(glm::mat4(joint.inverse_bind)) != joint.inverse_bind)
       own["inverse_bind"] = numbers_of(joint.inverse_bind);
     json::Json node = json::Json::object();
     if (!joint.name.empty()) node["name"] = joint.name;
-    if (joint.translation != glm::dvec3(0)) node["translation"] = to_json(joint.translation);
-    if (rotation != glm::dquat(1, 0, 0, 0)) node["rotation"] = to_json(rotation);
-    if (joint.scale != glm::dvec3(1)) node["scale"] = to_json(joint.scale);
+    if (joint.translation != glm::dvec3(0)) node["translation"] = vector_json(joint.translation);
+    if (rotation != glm::dquat(1, 0, 0, 0)) node["rotation"] = vector_json(rotation);
+    if (joint.scale != glm::dvec3(1)) node["scale"] = vector_json(joint.scale);
     node["extras"] = {{k_extras_key, std::move(own)}};
     out.nodes.push_back(std::move(node));
     if (joint.parent >= 0) {
@@ -97,7 +97,7 @@ void GlbSkin::write_skin(GltfBuilder& builder, GlbNodes& out) {
   if (std::find(in_skin_.begin(), in_skin_.end(), true) == in_skin_.end()) return;
   json::Json members = json::Json::array();
   std::vector<float> binds;
-  skin_place_.assign(in_skin_.size(), k_none);
+  skin_place_.assign(in_skin_.size(), k_no_skin);
   for (std::size_t j = 0; j < in_skin_.size(); ++j) {
     if (!in_skin_[j]) continue;
     skin_place_[j] = members.size();

@@ -13,7 +13,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr const char* k_draco = "KHR_draco_mesh_compression";
+constexpr const char* k_draco_extension = "KHR_draco_mesh_compression";
 
 /// How often primitives of the written file name an accessor.
 std::size_t uses_of(const json::Json& root, std::size_t accessor) {
@@ -98,7 +98,7 @@ void PlainPrimitives::write(std::size_t mesh, std::size_t primitive, json::Json&
   }
   // Strips have come as the triangles that they are.
   if (json::find(object, "mode") != nullptr && plain.mode == TINYGLTF_MODE_TRIANGLES) object["mode"] = 4;
-  object["extensions"].erase(k_draco);
+  object["extensions"].erase(k_draco_extension);
   if (object["extensions"].empty()) object.erase("extensions");
 }
 
@@ -110,8 +110,8 @@ void PlainPrimitives::forget_unused() {
       if (draco_of(primitive) != nullptr) return;
     }
   }
-  take_off(state_.builder.root, "extensionsUsed", k_draco);
-  take_off(state_.builder.root, "extensionsRequired", k_draco);
+  take_off(state_.builder.root, "extensionsUsed", k_draco_extension);
+  take_off(state_.builder.root, "extensionsRequired", k_draco_extension);
 }
 
 /// The tight bytes that came out of a stream; none: the file has the accessor's numbers itself.

@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned k_timeout_ms = 500;
 constexpr std::uint8_t k_to_class_interface = 0x21;  // host to device, class request, recipient interface
 constexpr std::uint8_t k_from_interface = 0x81;      // device to host, standard request, recipient interface
-constexpr std::size_t k_longest_descriptor = 4096;
+constexpr std::size_t k_longest_usb_descriptor = 4096;
 constexpr std::uint8_t k_from_class_interface = 0xa1;  // device to host, class request, recipient interface
 constexpr std::uint8_t k_get_report = 0x01;
 constexpr std::uint8_t k_set_report = 0x09;
@@ -30,7 +30,7 @@ base::Result<std::string> get_string(const UsbHandle& usb, std::uint8_t index) {
 }
 
 base::Result<std::vector<std::uint8_t>> get_report_descriptor(const UsbHandle& usb, int interface) {
-  std::vector<std::uint8_t> bytes(k_longest_descriptor);
+  std::vector<std::uint8_t> bytes(k_longest_usb_descriptor);
   const int got = libusb_control_transfer(usb.get(), k_from_interface, LIBUSB_REQUEST_GET_DESCRIPTOR,
                                           LIBUSB_DT_REPORT << 8, static_cast<std::uint16_t>(interface), bytes.data(),
                                           static_cast<std::uint16_t>(bytes.size()), k_timeout_ms);
@@ -52,7 +52,7 @@ base::Status set_report(const UsbHandle& usb, int interface, SentReport kind, ba
 
 base::Result<std::vector<std::uint8_t>> get_feature_report(const UsbHandle& usb, int interface, std::uint8_t id,
                                                            std::size_t length) {
-  std::vector<std::uint8_t> bytes(std::min(length, k_longest_descriptor));
+  std::vector<std::uint8_t> bytes(std::min(length, k_longest_usb_descriptor));
   const int got = libusb_control_transfer(usb.get(), k_from_class_interface, k_get_report,
                                           static_cast<std::uint16_t>((static_cast<int>(SentReport::feature) << 8) | id),
                                           static_cast<std::uint16_t>(interface), bytes.data(),

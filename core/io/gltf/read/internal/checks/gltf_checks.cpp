@@ -15,7 +15,7 @@
 namespace penpose::io {
 namespace {
 
-base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
+base::Error wrong_gltf(std::string what, std::string pointer, std::string remedy = k_export_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
@@ -47,13 +47,13 @@ std::optional<base::Error> check_version(const json::Json& document) {
   } else if (version != nullptr && version->is_number()) {
     text = version->dump();
   } else if (version != nullptr && !version->is_null()) {
-    return wrong("a text was expected", "/asset/version");
+    return wrong_gltf("a text was expected", "/asset/version");
   } else if (const json::Json* views = json::find(document, "bufferViews"); views != nullptr && views->is_object()) {
     text = "1.0";
   }
   if (text.starts_with("2.") || text == "2") return std::nullopt;
-  return wrong("glTF version \"" + base::valid_utf8(text) + "\" is not supported", "/asset/version",
-               "export the file as glTF 2.0");
+  return wrong_gltf("glTF version \"" + base::valid_utf8(text) + "\" is not supported", "/asset/version",
+                    "export the file as glTF 2.0");
 }
 
 std::optional<base::Error> check_tree(const json::Json& vetted) {
@@ -65,9 +65,9 @@ std::optional<base::Error> check_tree(const json::Json& vetted) {
     for (std::size_t k = 0; children != nullptr && k < children->size(); ++k) {
       const auto node = (*children)[k].get<std::size_t>();
       if (parent[node] != nodes->size()) {
-        return wrong("node " + std::to_string(node) + " is a child twice",
-                     json::child(json::child(json::child("/nodes", i), "children"), k),
-                     "a node may have one parent; export the file again");
+        return wrong_gltf("node " + std::to_string(node) + " is a child twice",
+                          json::child(json::child(json::child("/nodes", i), "children"), k),
+                          "a node may have one parent; export the file again");
       }
       parent[node] = i;
     }
@@ -83,8 +83,8 @@ std::optional<base::Error> check_tree(const json::Json& vetted) {
       way.push_back(at);
     }
     if (at != nodes->size() && state[at] == 1) {
-      return wrong("the node is its own ancestor", json::child("/nodes", at),
-                   "nodes have to form trees; export the file again");
+      return wrong_gltf("the node is its own ancestor", json::child("/nodes", at),
+                        "nodes have to form trees; export the file again");
     }
     for (const std::size_t node : way) state[node] = 2;
   }
@@ -100,7 +100,7 @@ std::optional<base::Error> check_indices(const json::Json& vetted, const json::J
       if (indices == nullptr || draco_of(document["meshes"][m]["primitives"][p]) != nullptr) continue;
       const auto accessor = indices->get<std::size_t>();
       if (json::find(vetted["accessors"][accessor], "bufferView") == nullptr) {
-        return wrong("indices without a buffer view", json::child("/accessors", accessor));
+        return wrong_gltf("indices without a buffer view", json::child("/accessors", accessor));
       }
     }
   }
@@ -113,8 +113,8 @@ std::optional<base::Error> check_samplers(const json::Json& vetted) {
     const json::Json& animation = (*animations)[a];
     for (std::size_t c = 0; c < animation["channels"].size(); ++c) {
       if (animation["channels"][c]["sampler"].get<std::size_t>() < animation["samplers"].size()) continue;
-      return wrong("the sampler does not exist",
-                   json::child(json::child(json::child(json::child("/animations", a), "channels"), c), "sampler"));
+      return wrong_gltf("the sampler does not exist",
+                        json::child(json::child(json::child(json::child("/animations", a), "channels"), c), "sampler"));
     }
   }
   return std::nullopt;
@@ -123,14 +123,15 @@ std::optional<base::Error> check_samplers(const json::Json& vetted) {
 std::optional<base::Error> check_extensions(const json::Json& document) {
   const json::Json* required = json::find(document, "extensionsRequired");
   if (required == nullptr) return std::nullopt;
-  if (!required->is_array()) return wrong("a list was expected", "/extensionsRequired");
+  if (!required->is_array()) return wrong_gltf("a list was expected", "/extensionsRequired");
   for (std::size_t i = 0; i < required->size(); ++i) {
     const std::string pointer = json::child("/extensionsRequired", i);
-    if (!(*required)[i].is_string()) return wrong("a text was expected", pointer);
+    if (!(*required)[i].is_string()) return wrong_gltf("a text was expected", pointer);
     const auto name = (*required)[i].get<std::string>();
     if (can_be_read(name)) continue;
-    return wrong("the extension " + base::valid_utf8(name) + ", without which the file cannot be read, is not known",
-                 pointer, "export the file without it");
+    return wrong_gltf(
+        "the extension " + base::valid_utf8(name) + ", without which the file cannot be read, is not known", pointer,
+        "export the file without it");
   }
   return std::nullopt;
 }
