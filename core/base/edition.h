@@ -4,9 +4,10 @@
 
 namespace penpose::base {
 
-/// What a stroke and a command mean. Each session and each project says under which edition it was drawn. A session of
-/// an older one is drawn again by today where that is asked for, and of an older project the controls are read that are
-/// built alike today (docs/sessions.md). A change of behaviour raises the number and renews the golden hashes.
+/// The edition of how strokes and commands are read. Each session and each project names the edition that wrote it.
+/// The program draws an older session again with today's reading, if asked. It opens an older project with the controls
+/// that today's reading builds alike (docs/sessions.md). A change of behaviour raises the number and renews the golden
+/// hashes.
 inline constexpr std::uint32_t k_edition = 7;
 
 }  // namespace penpose::base

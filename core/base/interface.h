@@ -13,7 +13,7 @@ class Fixed {
   ~Fixed() = default;
 };
 
-/// What is used through its base.
+/// A base class of virtual functions, which is neither copied nor moved.
 class Interface {
  public:
   virtual ~Interface() = default;

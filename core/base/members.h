@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 
 // Structs that name their members:
@@ -10,25 +10,43 @@
 
 namespace penpose::base {
 
-/// A member of a struct, by its name in files.
-template <typename Value>
-struct Named {
+/// Members of a struct with their names in files: the first, and a list of the others. A list of one's own compiles in
+/// a fraction of the time of a std::tuple.
+template <typename... Values>
+struct NamedMembers {
+  static constexpr std::size_t k_count = 0;
+  void each(auto&) const {}
+  friend bool operator==(const NamedMembers&, const NamedMembers&) { return true; }
+};
+template <typename Value, typename... Rest>
+struct NamedMembers<Value, Rest...> {
+  static constexpr std::size_t k_count = 1 + sizeof...(Rest);
   std::string_view name;
   Value& value;
-  friend bool operator==(const Named& a, const Named& b) { return a.value == b.value; }
+  NamedMembers<Rest...> rest;
+  void each(auto& visit) const {
+    visit(name, value);
+    rest.each(visit);
+  }
+  friend bool operator==(const NamedMembers& a, const NamedMembers& b) {
+    return a.value == b.value && a.rest == b.rest;
+  }
 };
 
-constexpr std::tuple<> named() { return {}; }
+constexpr NamedMembers<> named() { return {}; }
 /// Names and members by turns.
 template <typename Value, typename... Rest>
 constexpr auto named(std::string_view name, Value& value, Rest&... rest) {
-  return std::tuple_cat(std::tuple(Named<Value>{name, value}), named(rest...));
+  const auto others = named(rest...);
+  return [&]<typename... Others>(const NamedMembers<Others...>& list) {
+    return NamedMembers<Value, Others...>{name, value, list};
+  }(others);
 }
 
 /// Calls visit(name, value) for each member, in their order.
 template <typename One>
 void each_member(One& one, auto&& visit) {
-  std::apply([&](const auto&... each) { (visit(each.name, each.value), ...); }, std::remove_const_t<One>::members(one));
+  std::remove_const_t<One>::members(one).each(visit);
 }
 
 }  // namespace penpose::base

@@ -92,7 +92,7 @@ struct Model {
                                              std::shared_ptr<const articulation::SketchedDeformers> deformers = {},
                                              std::shared_ptr<const articulation::Corrections> corrections = {});
 
-/// Gives a model made anew what another one has beside its mesh, rig, pose and expressions.
+/// Moves everything but mesh, rig, pose and expressions from one model to another: after a model was built again.
 void move_rest(Model& from, Model& to);
 
 /// The model with other blend shapes and sketched deformers (null: none). Pose and animations are kept by the names of

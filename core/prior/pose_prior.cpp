@@ -75,7 +75,7 @@ std::optional<std::vector<double>> carried(const PosePrior& prior, std::span<con
   const double scale = (1 - prior.shrinkage) / static_cast<double>(n);
   const double own = prior.shrinkage * prior.spread;
   const auto x = [&](std::size_t sample, std::size_t j) { return prior.deviations[sample * p + known[j]]; };
-  // The lower half of scale R R' + own I, R of rows of so many terms.
+  // The lower triangle of scale R R' + own I; R has `rows` rows and `terms` columns.
   const auto products = [&](std::size_t rows, std::size_t terms, const auto& r) {
     std::vector<double> matrix(rows * rows, 0.0);
     for (std::size_t i = 0; i < rows; ++i) {

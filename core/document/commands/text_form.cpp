@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "core/base/members.h"
 #include "core/base/numbers.h"
@@ -73,7 +72,7 @@ template <typename Kind>
 std::optional<articulation::Surface> read_members(std::string_view text) {
   Kind kind;
   bool whole = true;
-  std::size_t left = std::tuple_size_v<decltype(Kind::members(kind))>;
+  std::size_t left = decltype(Kind::members(kind))::k_count;
   base::each_member(kind, [&]<typename Value>(std::string_view, Value& member) {
     std::size_t end = text.size();
     if (--left > 0) {

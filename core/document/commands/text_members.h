@@ -1,8 +1,9 @@
 #pragma once
 
-#include <set>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/members.h"
@@ -14,64 +15,70 @@
 
 namespace penpose::document {
 
+/// How values of a type are written and read, without the type: what walks over members is compiled once, not for each
+/// struct.
+struct ValueForm {
+  void (*write)(std::string& out, const void* value);
+  bool (*read)(std::string_view text, void* value);  ///< false: the value has another form, and stays
+};
+template <typename Value>
+inline constexpr ValueForm k_value_form{[](std::string& out, const void* value) {
+                                          const auto& known = *static_cast<const Value*>(value);
+                                          if constexpr (requires { known.has_value(); }) {
+                                            if (!known.has_value()) return;
+                                          }
+                                          TextForm<Value>::write(out, known);
+                                        },
+                                        [](std::string_view text, void* value) {
+                                          auto parsed = TextForm<Value>::read(text);
+                                          if (parsed) *static_cast<Value*>(value) = *std::move(parsed);
+                                          return parsed.has_value();
+                                        }};
+
+/// A member of a struct that outlives it.
+template <typename Pointer>
+struct AnyMember {
+  std::string_view name;
+  Pointer value;
+  const ValueForm* form;
+};
+using ReadMember = AnyMember<const void*>;
+using WrittenMember = AnyMember<void*>;
+
+[[nodiscard]] std::vector<ReadMember> any_members(const auto& one) {
+  std::vector<ReadMember> members;
+  base::each_member(one, [&]<typename Value>(std::string_view name, const Value& value) {
+    members.push_back({name, &value, &k_value_form<Value>});
+  });
+  return members;
+}
+[[nodiscard]] std::vector<WrittenMember> any_members(auto& one) {
+  std::vector<WrittenMember> members;
+  base::each_member(one, [&]<typename Value>(std::string_view name, Value& value) {
+    members.push_back({name, &value, &k_value_form<Value>});
+  });
+  return members;
+}
+
+/// Appends the members whose text differs from that of the initial ones, each with a blank in front. Both are of one
+/// struct.
+void append_members(std::string& out, std::span<const ReadMember> members, std::span<const ReadMember> initial);
+/// Sets members from their text; those that are missing keep their values. Errors (place: the member): a member that is
+/// not known or given twice, a value of another form.
+[[nodiscard]] base::Status set_members(std::span<const WrittenMember> members, std::string_view text);
+
 /// Appends the members that differ from a default-constructed struct, each with a blank in front.
 template <typename One>
 void append_members(std::string& out, const One& one) {
-  const auto text_of = [](const auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    std::string text;
-    if constexpr (requires { value.has_value(); }) {
-      if (!value.has_value()) return text;
-    }
-    TextForm<Value>::write(text, value);
-    return text;
-  };
-  // Both are walked side by side: the same members in the same order.
   const One initial;
-  std::vector<std::string> initial_texts;
-  base::each_member(initial, [&](std::string_view, const auto& value) { initial_texts.push_back(text_of(value)); });
-  std::size_t member = 0;
-  base::each_member(one, [&](std::string_view name, const auto& value) {
-    const std::string text = text_of(value);
-    if (text == initial_texts[member++]) return;
-    out += ' ';
-    out += name;
-    out += '=';
-    out += text;
-  });
+  append_members(out, any_members(one), any_members(initial));
 }
 
-/// Sets the member of that name from its text.
-template <typename One>
-std::optional<base::Error> set_member(One& command, std::string_view name, std::string_view text) {
-  bool known = false;
-  bool read = false;
-  base::each_member(command, [&](std::string_view member, auto& value) {
-    if (member != name) return;
-    known = true;
-    if (auto parsed = TextForm<std::decay_t<decltype(value)>>::read(text)) {
-      value = *std::move(parsed);
-      read = true;
-    }
-  });
-  if (!known) return base::Error{"the command has no such member", std::string(name.substr(0, 40)), "leave it out"};
-  if (!read) return base::Error{"the value has another form", std::string(name), "write it as the program does"};
-  return std::nullopt;
-}
-
-/// Members that are missing keep their defaults. Errors (place: the member): a member that is not known or given twice,
-/// a value of another form.
+/// Members that are missing keep their defaults. Errors: those of set_members.
 template <typename One>
 base::Result<One> parse_members(std::string_view text) {
   One command;
-  std::set<std::string_view> given;
-  while (!text.empty()) {
-    std::string_view piece = take_piece(text, ' ');
-    if (piece.empty()) continue;
-    const std::string_view member = take_piece(piece, '=');
-    if (!given.insert(member).second) return base::Error{"a member is given twice", std::string(member), ""};
-    if (auto error = set_member(command, member, piece)) return *error;
-  }
+  if (auto status = set_members(any_members(command), text); !status) return status.error();
   return command;
 }
 

@@ -209,12 +209,12 @@ void LayoutDecoder::apply_pad(const Layout& layout, base::Bytes report) {
 bool LayoutDecoder::apply_touch_pad(base::Bytes report) {
   constexpr std::size_t k_entry = 8;
   constexpr std::uint8_t k_contact_mask = 0x81;
-  constexpr std::uint8_t k_pad_keys = 0x80;
+  constexpr std::uint8_t k_pad_keys_bit = 0x80;
   if (report[2] == k_contact_mask) return false;
   bool has_keys = false;
   const std::size_t count = report[1];
   for (std::size_t i = 0, at = 2; i < count && at + k_entry <= report.size(); ++i, at += k_entry) {
-    if (report[at] != k_pad_keys) continue;
+    if (report[at] != k_pad_keys_bit) continue;
     pad_.keys = report[at + 1] & 0x0fU;
     has_keys = true;
   }

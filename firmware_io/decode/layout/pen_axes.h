@@ -4,7 +4,7 @@
 
 namespace penpose::decode {
 
-/// What a control that is an axis is about.
+/// The axis and the value of a sample that a role sets.
 struct AxisOfRole {
   PenRole role;
   Axis PenAxes::*axis;

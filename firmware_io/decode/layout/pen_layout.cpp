@@ -31,7 +31,7 @@ struct RoleOfUsage {
   PenRole role;
 };
 constexpr RoleOfUsage k_role_of_usage[] = {
-    // Of the standard (HID Usage Tables 1.5, 4 and 16).
+    // HID Usage Tables 1.5, sections 4 and 16.
     {hid::k_x, PenRole::x},
     {hid::k_y, PenRole::y},
     {hid::k_z, PenRole::height_down},

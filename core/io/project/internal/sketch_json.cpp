@@ -1,7 +1,6 @@
 #include "core/io/project/internal/sketch_json.h"
 
 #include <cmath>
-#include <tuple>
 
 #include "core/base/members.h"
 
@@ -123,7 +122,7 @@ SketchProblem read_member(const json::Json& value, const std::string& pointer, s
 template <typename Kind>
 SketchProblem read_kind(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
   Kind kind;
-  constexpr bool k_alone = std::tuple_size_v<decltype(Kind::members(kind))> == 1;
+  constexpr bool k_alone = decltype(Kind::members(kind))::k_count == 1;
   SketchProblem problem;
   base::each_member(kind, [&](std::string_view name, auto& member) {
     if (problem) return;

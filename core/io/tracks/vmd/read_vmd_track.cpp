@@ -77,8 +77,8 @@ base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes) {
       return std::all_of(morph.second.begin(), morph.second.end(), [](const VmdKey& key) { return key.weight == 0; });
     });
   }
-  constexpr double k_most_values = 5e7;
-  if ((1.0 + last) * static_cast<double>(keys.size()) > k_most_values) {
+  constexpr double k_most_vmd_values = 5e7;
+  if ((1.0 + last) * static_cast<double>(keys.size()) > k_most_vmd_values) {
     return wrong("the motion has over 50,000,000 values", begin);
   }
   animation::WeightTrack track;

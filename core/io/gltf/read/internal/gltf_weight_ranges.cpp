@@ -8,12 +8,12 @@ namespace penpose::io {
 namespace {
 
 /// More than any weight that shows a face; beyond it shapes could not be evaluated.
-constexpr double k_most = 1e9;
+constexpr double k_most_weight = 1e9;
 
 void widen(double value, rig::Parameter& range) {
   if (!std::isfinite(value)) return;
-  range.minimum = std::min(range.minimum, std::max(value, -k_most));
-  range.maximum = std::max(range.maximum, std::min(value, k_most));
+  range.minimum = std::min(range.minimum, std::max(value, -k_most_weight));
+  range.maximum = std::max(range.maximum, std::min(value, k_most_weight));
 }
 
 /// The cubic from a to b with these tangents (times the span) turns where its derivative, a quadratic, is zero.

@@ -22,9 +22,9 @@ base::Error cannot(std::string why) { return {std::move(why), "", ""}; }
 
 /// Names in files may be of any length.
 std::string short_name(const std::string& name) {
-  constexpr std::size_t k_most = 60;
-  if (name.size() <= k_most) return name;
-  return "..." + base::valid_utf8(name.substr(name.size() - k_most));
+  constexpr std::size_t k_most_shown = 60;
+  if (name.size() <= k_most_shown) return name;
+  return "..." + base::valid_utf8(name.substr(name.size() - k_most_shown));
 }
 
 }  // namespace
