@@ -17,7 +17,7 @@ namespace {
 using Quaternion = glm::dquat;
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
-Quaternion unit(const Quaternion& q) {
+Quaternion unit_turn(const Quaternion& q) {
   const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return length > 0.0 ? q * (1.0 / length) : Quaternion{1, 0, 0, 0};
 }
@@ -60,7 +60,7 @@ Quaternion best_turn(std::span<const ModelVector> from, std::span<const ModelVec
                    {s[0][1] - s[1][0], s[2][0] + s[0][2], s[1][2] + s[2][1], s[2][2] - s[0][0] - s[1][1]}}};
   const auto q = largest_eigenvector(m);
   const double sign = q[0] < 0.0 ? -1.0 : 1.0;
-  return unit(Quaternion{q[0] * sign, q[1] * sign, q[2] * sign, q[3] * sign});
+  return unit_turn(Quaternion{q[0] * sign, q[1] * sign, q[2] * sign, q[3] * sign});
 }
 
 /// Axis times angle of a rotation; of all that it may be, the one nearest to another.
@@ -131,7 +131,7 @@ void Swing::find_turns(std::span<const ModelPoint> reference, std::span<const Mo
   const Quaternion whole = best_turn(from, to);
   const ModelVector middle_turn = turn_near(whole, ModelVector{0});
   const auto follow = [&](std::size_t k, Quaternion& q, ModelVector& turn) {
-    q = unit(spin(geometry::turn_between(q * from[k], to[k])) * q);
+    q = unit_turn(spin(geometry::turn_between(q * from[k], to[k])) * q);
     turn = turns_[k] = turn_near(q, turn);
   };
   const std::size_t middle = count / 2;

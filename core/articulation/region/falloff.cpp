@@ -22,12 +22,12 @@ constexpr double k_around = 4;
 
 /// 0..1 -> 0..1 with slope 0 at both ends, straight between them.
 double eased(double x) {
-  constexpr double k_steep = 1.0 / (1.0 - k_ease);
+  constexpr double k_rise = 1.0 / (1.0 - k_ease);
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  if (x < k_ease) return 0.5 * k_steep * x * x / k_ease;
-  if (x > 1.0 - k_ease) return 1.0 - 0.5 * k_steep * (1.0 - x) * (1.0 - x) / k_ease;
-  return k_steep * (x - 0.5 * k_ease);
+  if (x < k_ease) return 0.5 * k_rise * x * x / k_ease;
+  if (x > 1.0 - k_ease) return 1.0 - 0.5 * k_rise * (1.0 - x) * (1.0 - x) / k_ease;
+  return k_rise * (x - 0.5 * k_ease);
 }
 
 /// Where nodes of `from` (1 a node) have a neighbour that is not of it: what lies on the way out, as seeds at the nodes

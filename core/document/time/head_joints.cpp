@@ -17,7 +17,7 @@ bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 
 /// The words of a name, in small letters: J_Bip_C_Head is j, bip, c, head. Digits and signs part words, and capitals
 /// after small letters.
-std::vector<std::string> words_of(std::string_view name) {
+std::vector<std::string> letter_words(std::string_view name) {
   std::vector<std::string> words;
   bool open = false;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -39,14 +39,14 @@ bool has_word(const std::vector<std::string>& words, std::string_view word) {
 
 bool is_called_head(std::string_view name) {
   if (name == "頭") return true;
-  const auto words = words_of(name);
+  const auto words = letter_words(name);
   constexpr std::array<const char*, 8> k_others{"end", "top", "nub", "tip", "target", "eye", "jaw", "hair"};
   const bool other =
       std::any_of(k_others.begin(), k_others.end(), [&](const char* one) { return has_word(words, one); });
   return has_word(words, "head") && !other;
 }
 
-bool is_called_neck(std::string_view name) { return name == "首" || has_word(words_of(name), "neck"); }
+bool is_called_neck(std::string_view name) { return name == "首" || has_word(letter_words(name), "neck"); }
 
 /// How much of the vertices each joint carries with all below it, 0..1 of what they weigh.
 std::vector<double> shares(const rig::Skeleton& skeleton, const std::vector<double>& weight_of_vertex) {

@@ -92,7 +92,7 @@ CaseProblem read_target(const json::Json& object, const std::string& pointer, st
 }
 
 /// A yaw in degrees, or an object of yaw_degrees and pitch_degrees.
-CaseProblem read_view(const json::Json& object, const std::string& pointer, std::optional<CaseView>& out) {
+CaseProblem read_case_view(const json::Json& object, const std::string& pointer, std::optional<CaseView>& out) {
   const json::Json* value = json::find(object, "view");
   if (value == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, "view");
@@ -126,7 +126,7 @@ CaseProblem read_references(const json::Json& object, const std::string& pointer
     if (auto problem = read_text((*list)[i], "curve", place, Need::optional, reference.curve)) return problem;
     if (auto problem = read_vertices((*list)[i], place, reference.vertices)) return problem;
     if (auto problem = read_target((*list)[i], place, reference.target)) return problem;
-    if (auto problem = read_view((*list)[i], place, reference.view)) return problem;
+    if (auto problem = read_case_view((*list)[i], place, reference.view)) return problem;
     out.push_back(std::move(reference));
   }
   return std::nullopt;

@@ -9,9 +9,9 @@
 namespace penpose::io {
 namespace {
 
-constexpr const char* k_export_again = "remove the extras or write the file again";
+constexpr const char* k_write_again = "remove the extras or write the file again";
 
-base::Error wrong_extras(std::string what, std::string pointer, std::string remedy = k_export_again) {
+base::Error wrong_extras(std::string what, std::string pointer, std::string remedy = k_write_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
