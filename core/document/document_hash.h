@@ -26,7 +26,8 @@ struct DocumentState {
 /// The names of the parts in which two states differ.
 [[nodiscard]] std::vector<std::string_view> differing_parts(const DocumentState& a, const DocumentState& b);
 
-/// Which members of a document are hashed. An older session recorded hashes of fewer members; in its form they can be compared.
+/// Which members of a document are hashed. An older session recorded hashes of fewer members; in its form they can be
+/// compared.
 struct HashForm {
   /// The timeline has one kind for all keys, and says it before them; controls have none of their own.
   std::optional<KeyKind> one_kind = {};

@@ -98,7 +98,8 @@ Surface make_tongue() {
       const double up = base::sin(around);
       const double furrow = up > 0 ? 0.12 * up * bump(base::cos(around) * base::cos(around) * 9.0) : 0.0;
       tongue.points.push_back(tongue_middle + ModelVector{1.15 * base::sin(polar) * base::cos(around),
-                                                   (0.42 * up - furrow) * base::sin(polar), 1.25 * base::cos(polar)});
+                                                          (0.42 * up - furrow) * base::sin(polar),
+                                                          1.25 * base::cos(polar)});
     }
   }
   close_tube(tongue, k_rings, k_segments);

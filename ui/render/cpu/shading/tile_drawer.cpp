@@ -38,8 +38,7 @@ class DepthOf {
 
 }  // namespace
 
-TileDrawer::TileDrawer(const TileScene& scene)
-    : scene_(scene), points_(scene.vertices, scene.paint, scene.items) {
+TileDrawer::TileDrawer(const TileScene& scene) : scene_(scene), points_(scene.vertices, scene.paint, scene.items) {
   const Raster& r = scene.raster;
   const auto width = static_cast<float>(r.size.width);
   const auto height = static_cast<float>(r.size.height);
