@@ -1,6 +1,7 @@
 #include "core/rig/character_rig.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace penpose::rig {
@@ -15,8 +16,9 @@ class BoundCharacter final : public BoundVertices {
     for (const std::uint32_t v : vertices_) rest_.push_back(rig.mesh().positions()[v]);
     for (const auto& layer : rig.layers()) layers_.push_back(layer->bind(vertices_));
     if (rig.skeleton() != nullptr) {
-      matrices_.resize(rig.skeleton()->joints().size());
       mark_carrying_joints();
+      joints_.emplace(*rig.skeleton(), carries_);
+      vertex_matrices_.resize(vertices_.size());
     }
   }
 
@@ -81,13 +83,19 @@ class BoundCharacter final : public BoundVertices {
     if (layer < layers_.size() && rig_.layers()[layer]->driven()) return pose;
     return pose.subspan(rig_.first_parameter(layer), rig_.first_parameter(layer + 1) - rig_.first_parameter(layer));
   }
-  /// Fills the matrices; those of the last pose stay where its joints were turned alike.
+  /// Fills the matrices; those that no turn changed stay.
   void turn_joints(std::span<const double> values) {
-    if (!vertex_matrices_.empty() && std::equal(values.begin(), values.end(), turned_.begin(), turned_.end())) return;
-    turned_.assign(values.begin(), values.end());
-    rig_.skeleton()->joint_matrices(values, matrices_);
-    vertex_matrices_.clear();
-    for (const std::uint32_t v : vertices_) vertex_matrices_.push_back(rig_.skeleton()->vertex_matrix(v, matrices_));
+    if (turned_ && std::equal(values.begin(), values.end(), values_.begin(), values_.end())) return;
+    values_.assign(values.begin(), values.end());
+    joints_->turn(values);
+    const Skeleton& skeleton = *rig_.skeleton();
+    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+      const auto influences = skeleton.influences_of(vertices_[k]);
+      const auto changed = [&](const Influence& influence) { return joints_->changed(influence.joint); };
+      if (!turned_ || std::any_of(influences.begin(), influences.end(), changed))
+        vertex_matrices_[k] = skeleton.vertex_matrix(vertices_[k], joints_->matrices());
+    }
+    turned_ = true;
   }
   /// A joint carries the bound vertices when it or a joint below it has a share in one of them.
   void mark_carrying_joints() {
@@ -108,9 +116,11 @@ class BoundCharacter final : public BoundVertices {
   std::vector<ModelPoint> rest_;
   std::vector<std::unique_ptr<BoundLayer>> layers_;
   std::vector<ModelVector> displacements_;
-  std::vector<double> turned_;  ///< joints' values of the matrices
-  std::vector<glm::dmat4> matrices_, vertex_matrices_;
   std::vector<bool> carries_;
+  std::optional<PosedJoints> joints_;  ///< those that carry
+  bool turned_ = false;
+  std::vector<double> values_;  ///< of the joints at the last turn
+  std::vector<glm::dmat4> vertex_matrices_;
 };
 
 }  // namespace
@@ -141,7 +151,7 @@ base::Result<std::shared_ptr<const CharacterRig>> CharacterRig::make(
   return std::shared_ptr<const CharacterRig>(std::move(made));
 }
 
-void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const {
+void CharacterRig::displace(std::span<const double> pose, std::span<ModelPoint> positions) const {
   std::fill(positions.begin(), positions.end(), ModelVector{0});
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const std::size_t own = first_parameter_[i + 1] - first_parameter_[i];
@@ -149,6 +159,10 @@ void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> 
   }
   const auto rest = mesh_->positions();
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rest[v] + positions[v];
+}
+
+void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const {
+  displace(pose, positions);
   if (!skeleton_) return;
   std::vector<glm::dmat4> matrices(skeleton_->joints().size());
   skeleton_->joint_matrices(pose.subspan(first_parameter_[layers_.size()]), matrices);

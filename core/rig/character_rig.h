@@ -22,6 +22,8 @@ class CharacterRig final : public Rig {
   [[nodiscard]] std::span<const Parameter> parameters() const override { return parameters_; }
   [[nodiscard]] std::size_t vertex_count() const override { return mesh_->vertex_count(); }
   void evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const override;
+  /// The rest vertices and what the layers add, before the skeleton carries them.
+  void displace(std::span<const double> pose, std::span<ModelPoint> positions) const;
   [[nodiscard]] std::unique_ptr<BoundVertices> bind(std::span<const std::uint32_t> vertices) const override;
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return *mesh_; }

@@ -1,6 +1,8 @@
 #include "core/rig/skeleton.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/geometry/rotation.h"
 
@@ -61,6 +63,8 @@ base::Result<std::shared_ptr<const Skeleton>> Skeleton::make(std::vector<Joint> 
   }
   auto made = std::make_shared<Skeleton>();
   for (std::uint32_t i = 0; i < joints.size(); ++i) {
+    made->first_parameter_.push_back(static_cast<std::uint32_t>(made->parameters_.size()));
+    made->rest_locals_.push_back(geometry::compose(joints[i].translation, joints[i].rest_rotation, joints[i].scale));
     if (!joints[i].posable) continue;
     made->posable_.push_back(i);
     const std::string name = joints[i].name.empty() ? "joint" + std::to_string(i) : joints[i].name;
@@ -81,20 +85,53 @@ std::span<const Influence> Skeleton::influences_of(std::uint32_t vertex) const {
       .subspan(first_influence_[vertex], first_influence_[vertex + 1] - first_influence_[vertex]);
 }
 
+glm::dmat4 Skeleton::local_matrix(std::size_t joint, const glm::dvec3& angles) const {
+  if (angles == glm::dvec3{0}) return rest_locals_[joint];
+  const Joint& one = joints_[joint];
+  return geometry::compose(one.translation, one.rest_rotation * geometry::quaternion_from_xyz(angles), one.scale);
+}
+
 void Skeleton::joint_matrices(std::span<const double> values, std::span<glm::dmat4> matrices) const {
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Joint& joint = joints_[i];
-    glm::dquat rotation = joint.rest_rotation;
-    if (joint.posable) {
-      const glm::dvec3 angles{values[next], values[next + 1], values[next + 2]};
-      next += 3;
-      if (angles != glm::dvec3{0}) rotation = rotation * geometry::quaternion_from_xyz(angles);
-    }
-    const glm::dmat4 local = geometry::compose(joint.translation, rotation, joint.scale);
-    matrices[i] = joint.parent < 0 ? local : matrices[static_cast<std::size_t>(joint.parent)] * local;
+  PosedJoints posed(*this, std::vector<bool>(joints_.size(), true));
+  posed.turn(values);
+  std::copy(posed.matrices().begin(), posed.matrices().end(), matrices.begin());
+}
+
+PosedJoints::PosedJoints(const Skeleton& skeleton, std::vector<bool> wanted)
+    : skeleton_(skeleton),
+      worlds_(skeleton.joints().size()),
+      matrices_(skeleton.joints().size()),
+      changed_(skeleton.joints().size()) {
+  for (std::uint32_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i]) wanted_.push_back(i);
   }
-  for (std::size_t i = 0; i < joints_.size(); ++i) matrices[i] = matrices[i] * joints_[i].inverse_bind;
+}
+
+void PosedJoints::turn(std::span<const double> values, std::span<const std::uint32_t> joints) {
+  const bool anew = !made_;
+  made_ = true;
+  values_.resize(values.size());
+  for (const std::uint32_t i : joints) {
+    const Joint& joint = skeleton_.joints()[i];
+    bool changed = anew;
+    glm::dvec3 angles{0};
+    if (joint.posable) {
+      const std::size_t at = skeleton_.first_parameter_[i];
+      angles = {values[at], values[at + 1], values[at + 2]};
+      // By their bits: not even a zero may keep the sign of another pose.
+      if (anew || std::memcmp(values.data() + at, values_.data() + at, 3 * sizeof(double)) != 0) {
+        changed = true;
+        std::copy_n(values.data() + at, 3, values_.data() + at);
+      }
+    }
+    const bool has_parent = joint.parent >= 0;
+    if (has_parent && changed_[static_cast<std::size_t>(joint.parent)]) changed = true;
+    changed_[i] = changed;
+    if (!changed) continue;
+    const glm::dmat4 local = skeleton_.local_matrix(i, angles);
+    worlds_[i] = has_parent ? worlds_[static_cast<std::size_t>(joint.parent)] * local : local;
+    matrices_[i] = worlds_[i] * joint.inverse_bind;
+  }
 }
 
 glm::dmat4 Skeleton::vertex_matrix(std::uint32_t vertex, std::span<const glm::dmat4> matrices) const {

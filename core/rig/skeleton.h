@@ -60,8 +60,38 @@ class Skeleton {
   std::vector<Joint> joints_;
   std::vector<std::uint32_t> first_influence_;
   std::vector<Influence> influences_;
-  std::vector<std::uint32_t> posable_;  ///< numbers of the posable joints
+  friend class PosedJoints;
+  /// Of a joint in its parent's space, at its angles (rad).
+  [[nodiscard]] glm::dmat4 local_matrix(std::size_t joint, const glm::dvec3& angles) const;
+
+  std::vector<std::uint32_t> posable_;          ///< numbers of the posable joints
+  std::vector<std::uint32_t> first_parameter_;  ///< of each joint; of one that is not posable, that of the next
+  std::vector<glm::dmat4> rest_locals_;         ///< local matrices at rest
   std::vector<Parameter> parameters_;
+};
+
+/// Matrices of joints that remember the last pose: a turn costs what hangs below it. The same bits as
+/// Skeleton::joint_matrices. The skeleton must outlive it.
+class PosedJoints {
+ public:
+  /// `wanted`: one a joint; what carries a wanted joint is wanted. Others have no matrix.
+  PosedJoints(const Skeleton& skeleton, std::vector<bool> wanted);
+  /// Takes the parameter values of the skeleton.
+  void turn(std::span<const double> values) { turn(values, wanted_); }
+  /// The same where no joint outside of `joints`, wanted ones in ascending order, is turned otherwise than before, nor
+  /// hangs below one of them.
+  void turn(std::span<const double> values, std::span<const std::uint32_t> joints);
+  /// Whether the last turn changed a joint's matrix.
+  [[nodiscard]] bool changed(std::uint32_t joint) const { return changed_[joint]; }
+  [[nodiscard]] std::span<const glm::dmat4> matrices() const { return matrices_; }
+
+ private:
+  const Skeleton& skeleton_;
+  std::vector<std::uint32_t> wanted_;
+  std::vector<double> values_;
+  std::vector<glm::dmat4> worlds_, matrices_;
+  std::vector<bool> changed_;
+  bool made_ = false;
 };
 
 }  // namespace penpose::rig

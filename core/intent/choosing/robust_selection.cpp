@@ -1,6 +1,7 @@
 #include "core/intent/choosing/robust_selection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -111,39 +112,72 @@ RobustSelection::Base RobustSelection::base_of(const Choice& choice) {
   return base;
 }
 
-std::optional<double> RobustSelection::guess(const Base& base, std::size_t added) {
+const std::vector<double>& RobustSelection::between(std::size_t u) {
+  between_.resize(choices_.units.size());
+  const Unit& unit = choices_.units[u];
+  std::vector<double>& known = between_[u];
+  if (!known.empty()) return known;
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    for (std::size_t l = 0; l < m; ++l) {
+      const std::vector<double> pair = q_.part_products_of(unit.members[l], unit.members[m]);
+      known.insert(known.end(), pair.begin(), pair.end());
+    }
+  }
+  return known;
+}
+
+RobustSelection::Direction RobustSelection::direction_of(const Base& base, std::size_t added,
+                                                         const std::array<double, 3>& by) {
   const Unit& unit = choices_.units[added];
   const std::span<const std::size_t> variables = base.choice->variables;
   const std::size_t n = variables.size();
   const std::size_t parts = q_.part_count();
-  // The unit as one direction: its pull, curvature and products with the base, for each part and weighted.
-  std::vector<double> pull(parts, 0.0), curvature(parts, 0.0), cross(parts * n, 0.0), answer(n, 0.0);
+  Direction out{std::vector<double>(parts, 0.0), std::vector<double>(parts, 0.0), std::vector<double>(parts * n, 0.0)};
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = unit.members[m];
     const double* own = q_.part_pulls(v);
     const double* diagonal = q_.part_curvatures(v, v);
     for (std::size_t p = 0; p < parts; ++p) {
-      pull[p] += own[p];
-      curvature[p] += diagonal[p];
+      out.pull[p] += by[m] * own[p];
+      out.curvature[p] += by[m] * by[m] * diagonal[p];
     }
     for (std::size_t i = 0; i < n; ++i) {
       const double* with = q_.part_curvatures(variables[i], v);
-      double* products = cross.data() + i * parts;
+      double* products = out.cross.data() + i * parts;
       for (std::size_t p = 0; p < parts; ++p) {
-        pull[p] -= with[p] * base.choice->values[i];
-        products[p] += with[p];
+        out.pull[p] -= by[m] * with[p] * base.choice->values[i];
+        products[p] += by[m] * with[p];
       }
     }
   }
-  if (unit.tied) {
-    between_.resize(choices_.units.size());
-    if (between_[added].empty()) between_[added] = q_.part_products_of(unit.members[0], unit.members[1]);
-    const std::vector<double>& between = between_[added];
-    for (std::size_t p = 0; p < parts; ++p) curvature[p] += 2.0 * between[p];
+  if (unit.count == 1) return out;
+  const double* pair = between(added).data();
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    for (std::size_t l = 0; l < m; ++l, pair += parts) {
+      for (std::size_t p = 0; p < parts; ++p) out.curvature[p] += 2.0 * by[m] * by[l] * pair[p];
+    }
   }
-  const double whole_pull = algebra::dot(base.weights.data(), pull.data(), parts);
-  double left = algebra::dot(base.weights.data(), curvature.data(), parts);
+  return out;
+}
+
+std::vector<double> RobustSelection::answer_to(const Base& base, const std::vector<double>& cross) const {
+  const std::size_t n = base.choice->variables.size();
+  const std::size_t parts = q_.part_count();
+  std::vector<double> answer(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) answer[i] = algebra::dot(base.weights.data(), cross.data() + i * parts, parts);
+  return answer;
+}
+
+std::optional<double> RobustSelection::guess(const Base& base, std::size_t added) {
+  const Unit& unit = choices_.units[added];
+  if (unit.count > 1 && !unit.tied) return guess_several(base, added);
+  const std::size_t n = base.choice->variables.size();
+  // The unit as one direction.
+  const Direction direction = direction_of(base, added, {1.0, 1.0, 1.0});
+  std::vector<double> answer = answer_to(base, direction.cross);
+  const std::size_t parts = q_.part_count();
+  const double whole_pull = algebra::dot(base.weights.data(), direction.pull.data(), parts);
+  double left = algebra::dot(base.weights.data(), direction.curvature.data(), parts);
   const double whole = left;
   if (!base.factor.empty()) {
     const std::vector<double> products = answer;
@@ -155,22 +189,71 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
   const double stiffness = choices_.stiffness[v] * static_cast<double>(unit.count);
   const double step = std::clamp(whole_pull / (left + stiffness), choices_.low[v], choices_.high[v]);
   if (step == 0.0) return std::nullopt;
+  return energy_along(base, direction, answer, step) + stiffness * step * step;
+}
+
+std::optional<double> RobustSelection::guess_several(const Base& base, std::size_t added) {
+  const Unit& unit = choices_.units[added];
+  const std::size_t n = base.choice->variables.size();
+  const std::size_t count = unit.count;
+  const std::size_t parts = q_.part_count();
+  // Each member beside the base, which gives way to it.
+  std::vector<double> matrix(count * count, 0.0), pulls(count, 0.0);
+  std::array<std::vector<double>, 3> products;
+  const double* pair = between(added).data();
+  for (std::size_t m = 0; m < count; ++m) {
+    std::array<double, 3> alone{};
+    alone[m] = 1.0;
+    const Direction one = direction_of(base, added, alone);
+    products[m] = answer_to(base, one.cross);
+    std::vector<double> answer = products[m];
+    if (!base.factor.empty()) algebra::solve_factored(base.factor.data(), n, answer.data());
+    const auto given_way = [&](const std::vector<double>& of) {
+      return base.factor.empty() ? 0.0 : algebra::dot(of.data(), answer.data(), n);
+    };
+    pulls[m] = algebra::dot(base.weights.data(), one.pull.data(), parts);
+    matrix[m * count + m] = algebra::dot(base.weights.data(), one.curvature.data(), parts) - given_way(products[m]) +
+                            choices_.stiffness[unit.members[m]];
+    for (std::size_t l = 0; l < m; ++l, pair += parts) {
+      matrix[m * count + l] = algebra::dot(base.weights.data(), pair, parts) - given_way(products[l]);
+      matrix[l * count + m] = matrix[m * count + l];
+    }
+  }
+  const std::vector<double> by = bounded_.solve(matrix, pulls, std::span(unit.members).first(count), choices_);
+  std::array<double, 3> turn{};
+  std::copy(by.begin(), by.end(), turn.begin());
+  double stiffness = 0;
+  for (std::size_t m = 0; m < count; ++m) stiffness += choices_.stiffness[unit.members[m]] * turn[m] * turn[m];
+  if (stiffness == 0.0 && turn == std::array<double, 3>{}) return std::nullopt;
+  const Direction direction = direction_of(base, added, turn);
+  std::vector<double> answer = answer_to(base, direction.cross);
+  if (!base.factor.empty()) algebra::solve_factored(base.factor.data(), n, answer.data());
+  return energy_along(base, direction, answer, 1.0) + stiffness;
+}
+
+double RobustSelection::energy_along(const Base& base, const Direction& direction, std::span<const double> answer,
+                                     double step) const {
+  const std::span<const std::size_t> variables = base.choice->variables;
+  const std::size_t n = variables.size();
+  const std::size_t parts = q_.part_count();
   std::vector<double> squares = base.squares;
+  std::vector<double> pull = direction.pull;
+  std::vector<double> curvature = direction.curvature;
   for (std::size_t i = 0; i < n; ++i) {
     const double* pulls = base.pulls.data() + i * parts;
-    const double* products = cross.data() + i * parts;
+    const double* products = direction.cross.data() + i * parts;
     for (std::size_t p = 0; p < parts; ++p) {
       pull[p] -= answer[i] * pulls[p];
       curvature[p] -= 2.0 * answer[i] * products[p];
     }
     for (std::size_t k = 0; k <= i; ++k) {
-      const double by = (k == i ? 1.0 : 2.0) * answer[i] * answer[k];
+      const double with = (k == i ? 1.0 : 2.0) * answer[i] * answer[k];
       const double* curvatures = q_.part_curvatures(variables[i], variables[k]);
-      for (std::size_t p = 0; p < parts; ++p) curvature[p] += by * curvatures[p];
+      for (std::size_t p = 0; p < parts; ++p) curvature[p] += with * curvatures[p];
     }
   }
   for (std::size_t p = 0; p < parts; ++p) squares[p] -= step * (2.0 * pull[p] - step * curvature[p]);
-  return doubt_.energy(squares) + base.choice->costs + stiffness * step * step;
+  return doubt_.energy(squares) + base.choice->costs;
 }
 
 std::vector<std::size_t> RobustSelection::units_to_try(const Choice& from) {
@@ -181,13 +264,7 @@ std::vector<std::size_t> RobustSelection::units_to_try(const Choice& from) {
   std::vector<std::size_t> tries;
   std::vector<std::pair<double, std::size_t>> guesses;
   for (std::size_t u = 0; u < choices_.units.size(); ++u) {
-    const Unit& unit = choices_.units[u];
-    // Turns about several axes are few, and no one direction.
-    if (unit.count > 1 && !unit.tied) {
-      if (!excluded(u)) tries.push_back(u);
-    } else if (const auto energy = guess(base, u)) {
-      guesses.emplace_back(*energy + costs_.least_cost_beside(from, u), u);
-    }
+    if (const auto energy = guess(base, u)) guesses.emplace_back(*energy + costs_.least_cost_beside(from, u), u);
   }
   std::stable_sort(guesses.begin(), guesses.end());
   // How units stand to each other is asked of those alone that may be among the best.

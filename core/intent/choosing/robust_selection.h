@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,21 @@ class RobustSelection {
   /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
   void set_up(const Choice& choice, std::span<const double> weights);
   [[nodiscard]] Base base_of(const Choice& choice);
+  /// A unit beside a base as one direction, its members by these shares: its pull, curvature and products with the
+  /// base's variables, a run of parts a variable.
+  struct Direction {
+    std::vector<double> pull, curvature, cross;
+  };
+  [[nodiscard]] Direction direction_of(const Base& base, std::size_t added, const std::array<double, 3>& by);
+  /// Products of a direction with the base's variables, the curves weighted.
+  [[nodiscard]] std::vector<double> answer_to(const Base& base, const std::vector<double>& cross) const;
+  /// The energy a step along a direction, the base giving way by `answer` for each unit of it; without stiffness.
+  [[nodiscard]] double energy_along(const Base& base, const Direction& direction, std::span<const double> answer,
+                                    double step) const;
+  /// Products of a unit's members (1, 0), (2, 0), (2, 1), a run of parts each; computed once.
+  [[nodiscard]] const std::vector<double>& between(std::size_t u);
+  /// `guess` of members that are not tied.
+  [[nodiscard]] std::optional<double> guess_several(const Base& base, std::size_t unit);
   /// The energy about where one more unit and the base meet its pull, apart from what it costs beside them; nothing
   /// where that moves nothing.
   [[nodiscard]] std::optional<double> guess(const Base& base, std::size_t unit);
@@ -51,14 +67,14 @@ class RobustSelection {
   [[nodiscard]] std::optional<Choice> best_beside(const Choice& found) const;
   void try_all(const Choice& from, Choice& best, std::size_t most);
 
-  /// The units to fit beside a choice: the k_tries best by guess and cost, and what cannot be guessed.
+  /// The units to fit beside a choice: the k_tries best by guess and cost.
   [[nodiscard]] std::vector<std::size_t> units_to_try(const Choice& from);
 
   Quadratic& q_;
   const Choices& choices_;
   const ReadingCosts& costs_;
   const Doubt& doubt_;
-  std::vector<std::vector<double>> between_;  ///< of a tied unit's members, for each part; empty: not asked for yet
+  std::vector<std::vector<double>> between_;  ///< one a unit; empty: not asked for yet
   std::vector<Choice> tried_;
   std::size_t evaluations_ = 0;
   BoundedSquares bounded_;
