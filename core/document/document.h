@@ -42,18 +42,28 @@ struct Moment {
   rig::Pose base;           ///< before the first line
   rig::Pose posed;          ///< result of the last solve
   std::vector<Line> lines;  ///< in the order in which their targets were drawn
-  /// Other readings of the lines, as poses, the best first; after one was taken it stands here in its place.
-  std::vector<rig::Pose> others = {};
+  struct Other {
+    rig::Pose pose;
+    double above = 0;        ///< intent::OtherReading::above
+    double probability = 0;  ///< intent::OtherReading::probability
+  };
+  /// Other readings of the lines, the likeliest first; after one was taken that one's place has the one before it.
+  std::vector<Other> others = {};
+  double probability = 1;  ///< of the reading that was taken
 };
 
 /// What the artist chose between two readings (TakeReading): controls that it moved, and those that the other one moved
 /// in their place, by name in the order of the rig. One of both may be empty.
 struct TakenReading {
   std::vector<std::string> taken, instead_of;
+  /// How much likelier it is to be from then on: the log of the odds between both.
+  double by = 0;
   friend bool operator==(const TakenReading&, const TakenReading&) = default;
 };
 /// So many are remembered, the latest ones.
 inline constexpr std::size_t k_most_taken = 64;
+/// The most of TakenReading::by.
+inline constexpr double k_most_taught = 1000.0;
 
 /// A named view.
 struct NamedView {

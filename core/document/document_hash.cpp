@@ -97,6 +97,7 @@ void add_taken(StateHash& hash, const std::vector<TakenReading>& taken) {
       hash.add(std::uint64_t{names->size()});
       for (const std::string& name : *names) hash.add(name);
     }
+    hash.add(one.by);
   }
 }
 

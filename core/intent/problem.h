@@ -53,12 +53,6 @@ struct KnownCurve {
   double doubt = 0;                ///< model units, > 0
 };
 
-/// A reading that the artist took in place of another: its controls, and those that it was taken instead of. Ascending
-/// parameters; one of both may be empty.
-struct TakenReading {
-  std::vector<std::size_t> taken, instead_of;
-};
-
 /// The question: which pose did these strokes mean, starting from this pose?
 struct IntentProblem {
   std::vector<DrawnCurve> drawn;
@@ -72,9 +66,9 @@ struct IntentProblem {
   /// The result of an earlier solve from the same start, one value a parameter; empty: none. A reading that continues
   /// it is kept unless another one is clearly better.
   rig::Pose posed = {};
-  /// Of a face: where the best reading and another one differ in nothing but such an exchange, the other one wins
-  /// (FaceCosts::taken).
-  std::vector<TakenReading> taken = {};
+  /// What the artist's choices between readings taught of this rig: for each parameter what it costs, beyond what it
+  /// costs on any rig, that it moves; below 0 where it is meant more often. Empty: nothing.
+  std::vector<double> taught = {};
 };
 
 /// Where the reference of a drawn curve is at a pose.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "core/base/math.h"
 #include "core/intent/earlier_lines.h"
 #include "core/intent/reading/face_solver.h"
 #include "core/intent/reading/limb_solver.h"
@@ -182,7 +183,7 @@ Reading read_limbs(Reader& reader, LimbSolver& solver, std::size_t drawn) {
 /// A checked problem, whatever is locked. `units`: receives how many moved.
 Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                     const SolveOptions& options, SolveWorkspace& work, std::size_t& units) {
-  Reader reader = Reader::of(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem, *options.weights);
   Solution solution;
   solution.variables = reader.parameters().size();
   solution.linear = reader.linear();
@@ -195,11 +196,11 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   } else {
     FaceSolver solver(reader, options, work.buffers());
     reading = solver.read();
+    const Reading chosen = reading;
     solver.settle(reading);
     solution.evaluations = solver.evaluations;
     if (options.others > 0) {
-      for (const Reading& one : solver.others(reading, options.others))
-        solution.others.push_back({reader.pose_of(one.choice), one.energy - reading.energy});
+      solution.others = solver.others(chosen, options.others, solution.probability);
     }
   }
   units = reading.choice.units.size();
@@ -317,6 +318,45 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
   if (solution) describe(rig, problem, reader, *solution);
   return solution;
+}
+
+base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const WholeModel& whole,
+                                                    const IntentProblem& problem, const SolveOptions& options,
+                                                    SolveWorkspace& work, std::span<const rig::Pose> also) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  const IntentProblem unlocked = as_if_unlocked(problem);
+  Reader reader = Reader::of(rig, whole, unlocked, *options.weights);
+  std::vector<ExplainedReading> out;
+  if (reader.limb()) return out;
+  FaceSolver solver(reader, options, work.buffers());
+  const Reading best = solver.read();
+  std::vector<Reading> all = solver.all();
+  reader.leave_carriers(false);
+  const std::vector<std::size_t> whole_lines(reader.line_count(), 0);
+  for (const rig::Pose& pose : also) {
+    const Choice choice = reader.choice_of(pose);
+    for (const auto& aligned : {best.aligned, whole_lines}) {
+      const auto same = [&](const Reading& one) {
+        return one.aligned == aligned && one.choice.units == choice.units;
+      };
+      if (std::any_of(all.begin(), all.end(), same)) continue;
+      solver.align_as({{}, 0.0, aligned});
+      all.push_back(solver.matched(choice));
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Reading& a, const Reading& b) { return a.energy < b.energy; });
+  double sum = 0;
+  for (const Reading& one : all) {
+    solver.align_as(one);
+    ExplainedReading& explained = out.emplace_back();
+    explained.pose = reader.pose_of(one.choice);
+    explained.energy = one.energy;
+    explained.terms = reader.terms_of(one.choice);
+    explained.probability = base::exp(all.front().energy - one.energy);
+    sum += explained.probability;
+  }
+  for (ExplainedReading& one : out) one.probability /= sum;
+  return out;
 }
 
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,

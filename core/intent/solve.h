@@ -6,6 +6,7 @@
 
 #include "core/base/hidden.h"
 #include "core/base/result.h"
+#include "core/inference/weights.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
 
@@ -18,12 +19,14 @@ struct SolveOptions {
   std::size_t rivals = 6;          ///< other readings of limbs that are matched on their own before one is taken
   std::size_t most_units = 24;     ///< controls, pairs or joints that may move, at most
   std::size_t others = 0;          ///< of lines on faces: other readings that are kept beside the one taken, at most
+  const inference::Weights* weights = &inference::learned_weights();
 };
 
 /// Another way to read lines on a face.
 struct OtherReading {
-  rig::Pose pose;    ///< all parameters of the rig
-  double above = 0;  ///< its energy over that of the reading taken; below 0 where the artist's choices decided
+  rig::Pose pose;          ///< all parameters of the rig
+  double above = 0;        ///< its energy over that of the reading taken
+  double probability = 0;  ///< among all readings that were found, those that look alike taken together
 };
 
 /// What is left of one curve's error.
@@ -48,7 +51,8 @@ struct Solution {
   std::size_t evaluations = 0;        ///< of the energy
   bool linear = false;
   std::vector<OtherReading>
-      others;  ///< the best first, at most SolveOptions::others; none just moves more than another
+      others;  ///< the likeliest first, at most SolveOptions::others; no two look alike
+  double probability = 1;  ///< of the reading taken, where others were asked for
 };
 
 /// Scratch memory, and data of a rig to keep between solves.
@@ -65,7 +69,7 @@ class SolveWorkspace {
 /// Finds the intended pose. Minimises, over which controls move and how far, what is left of the curves and what the
 /// controls cost that move. Squares D of what is left are in widths of doubt: across the drawn line and along it, less
 /// what points slide along it (SlidingLine), and with almost no weight along the ray. Lines that do not span what
-/// joints carry mean a face: what is left counts by Doubt, controls cost by FaceCosts. Lines along limbs:
+/// joints carry mean a face: what is left counts by Doubt, controls cost by inference::Weights. Lines along limbs:
 ///
 ///   sum over curves of nu log(1 + D / nu)  +  sum over the controls that move of their cost (Costs),  nu = 150
 ///
@@ -76,6 +80,22 @@ class SolveWorkspace {
 /// evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, SolveWorkspace& work);
+
+/// A reading, and what its energy is made of.
+struct ExplainedReading {
+  rig::Pose pose;             ///< all parameters of the rig
+  double energy = 0;          ///< the terms by their weights
+  double probability = 0;     ///< among the readings that were found
+  inference::Terms terms;
+};
+
+/// All readings of lines on a face that were found on the way to the answer, the best first, and those of `also`:
+/// poses whose controls are taken as meant, and whose values are found anew. None for limbs. What was locked counts as
+/// free, what was solved before as not. Errors: those of check_problem.
+[[nodiscard]] base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const WholeModel& whole,
+                                                                  const IntentProblem& problem,
+                                                                  const SolveOptions& options, SolveWorkspace& work,
+                                                                  std::span<const rig::Pose> also = {});
 
 /// The problem with its locked controls free: what the strokes alone mean.
 [[nodiscard]] IntentProblem as_if_unlocked(const IntentProblem& problem);

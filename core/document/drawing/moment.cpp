@@ -147,7 +147,7 @@ bool is_last_line(const Document& document, CurveId curve) {
 
 rig::Pose pose_of_reading(const Document& document, std::size_t which) {
   const Moment& moment = *document.moment;
-  const rig::Pose& reading = moment.others[which];
+  const rig::Pose& reading = moment.others[which].pose;
   rig::Pose pose = document.pose;
   for (std::size_t i = 0; i < pose.size(); ++i) {
     if (reading[i] != moment.posed[i]) pose[i] = reading[i];

@@ -62,19 +62,21 @@ double hand_px(const Document& document, geometry::Viewport viewport) {
 
 namespace {
 
-std::vector<intent::TakenReading> taken_numbers(const Document& document) {
+/// What the artist's choices say of each control: each is shared by the controls in which both readings differ.
+std::vector<double> taught_by_choices(const Document& document) {
   const auto parameters = document.model->rig->parameters();
-  const auto numbers_of = [&](const std::vector<std::string>& names) {
-    std::vector<std::size_t> numbers;
+  std::vector<double> taught(parameters.size(), 0.0);
+  const auto add = [&](const std::vector<std::string>& names, double by) {
     for (const std::string& name : names) {
-      if (const auto number = rig::find_parameter(parameters, name)) numbers.push_back(*number);
+      if (const auto number = rig::find_parameter(parameters, name)) taught[*number] += by;
     }
-    std::stable_sort(numbers.begin(), numbers.end());
-    return numbers;
   };
-  std::vector<intent::TakenReading> out;
-  for (const TakenReading& one : *document.taken) out.push_back({numbers_of(one.taken), numbers_of(one.instead_of)});
-  return out;
+  for (const TakenReading& one : *document.taken) {
+    const double share = one.by / static_cast<double>(one.taken.size() + one.instead_of.size());
+    add(one.taken, -share);
+    add(one.instead_of, share);
+  }
+  return taught;
 }
 
 /// What does not depend on the curves: where it starts, what is free and what is locked.
@@ -87,7 +89,7 @@ intent::IntentProblem problem_without_curves(const Document& document) {
     k += free ? 1U : 0U;
     if (!free) problem.locked.push_back(i);
   }
-  if (document.taken) problem.taken = taken_numbers(document);
+  if (document.taken) problem.taught = taught_by_choices(document);
   return problem;
 }
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "core/inference/terms.h"
+
 namespace penpose::intent {
 
 /// Share of a variable's own curvature that must be left of it beside those before it.
@@ -17,6 +19,7 @@ struct Unit {
   std::size_t count = 1;
   bool tied = false;  ///< left and right move alike
   double charge = 0;  ///< its own cost, added to the cost of every unit
+  inference::Terms terms{};  ///< of lines on faces: what the charge is the weighted sum of
 };
 
 /// The variables of a choice: changes of parameters, each as a share of its range.
@@ -34,6 +37,7 @@ struct Choice {
   std::vector<double> values;          ///< one a variable
   double energy = 0;                   ///< squares and costs
   double costs = 0;                    ///< of its units alone
+  inference::Terms fitted{};           ///< what follows from how it meets the lines
 };
 
 /// How far a value is on its way to the end of its range, 0 to 1; 0 where it has none on that side.

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/math.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::intent {
+
+using inference::Term;
+
 namespace {
 
 /// Lines that tell a shape lie beside where they were meant by this share of their length (root mean square).
@@ -143,8 +147,8 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   return m;
 }
 
-std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px) {
-  constexpr double k_one_end = 100.0;
+std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px,
+                                  const inference::Weights& weights) {
   const double reference = curve::arc_length<PxPoint>(seen);
   const double drawn = curve::arc_length<PxPoint>(line);
   std::vector<Alignment> list;
@@ -155,7 +159,7 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
 
   if (curve::is_closed(seen, near_px) && curve::is_closed(line, near_px)) {
     // No start to trust: every shift both ways round, the least sum of distances first (method, section 1).
-    double least = 0;
+    double least = std::numeric_limits<double>::infinity();
     Alignment best;
     best.closed = true;
     for (const bool reversed : {false, true}) {
@@ -165,14 +169,12 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
           const std::size_t j = (i + shift) % (k_samples - 1);
           sum += geometry::distance((*a)[i], (*b)[reversed ? (k_samples - 1 - j) : j]);
         }
-        if (best.charge > 0.0 && sum >= least) continue;
-        best.charge = 1.0;  // found one
+        if (sum >= least) continue;
         least = sum;
         best.reversed = reversed;
         best.turned = static_cast<double>(shift) / static_cast<double>(k_samples - 1);
       }
     }
-    best.charge = 0;
     return {best};
   }
 
@@ -196,7 +198,7 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
     list.push_back(one);
     if (std::abs(forward - backward) < 0.3 * turn) {
       one.reversed = !reversed;
-      one.charge += 4.0;
+      one.terms[Term::backwards] = 1.0;
       list.push_back(one);
     }
   };
@@ -204,12 +206,12 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
   const double ratio = drawn / std::max(reference, 1e-9);
   if (ratio < 0.85) {
     const double part = std::max(ratio, 0.1);
-    const double charge = 8.0 + 14.0 * (1.0 - part);
     for (const double from : {0.0, 0.5 * (1.0 - part), 1.0 - part}) {
       Alignment one;
       one.reference_from = from;
       one.reference_to = from + part;
-      one.charge = charge;
+      one.terms[Term::partial] = 1.0;
+      one.terms[Term::left_out] = 1.0 - part;
       add(one);
     }
   } else if (ratio > 1.12) {
@@ -220,16 +222,20 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
       one.line_to = from + part;
       // Both ends overshot alike is how a wide line is drawn; all of it at one end is less likely the longer it is.
       const bool one_end = one.line_from == 0.0 || one.line_from == 1.0 - part;
-      one.charge = 8.0 + (one_end ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
+      one.terms[Term::overshot] = 1.0;
+      if (one_end) one.terms[Term::one_end] = std::max(0.0, ratio - 1.22);
       add(one);
     }
   }
   Alignment beside = list.front();
   beside.offset_px = k_offset * drawn;
-  beside.charge = 4.0;  // what believing that costs
+  beside.terms[Term::backwards] += 1.0;  // what believing that costs
   beside.rough = 1.3;   // such lines are drawn the more roughly
   list.push_back(beside);
-  for (Alignment& one : list) one.ends = k_ends;
+  for (Alignment& one : list) {
+    one.ends = k_ends;
+    one.charge = weights.by.dot(one.terms);
+  }
   return list;
 }
 

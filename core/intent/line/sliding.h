@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/space.h"
+#include "core/inference/weights.h"
 #include "core/intent/line/mode_algebra.h"
 #include "core/intent/problem.h"
 
@@ -22,7 +23,8 @@ struct Alignment {
   double turned = 0;      ///< loops: the share of the line at which the reference starts
   double reference_from = 0, reference_to = 1;
   double line_from = 0, line_to = 1;
-  double charge = 0;  ///< cost of this alignment, in the energy's unit
+  inference::Terms terms{};  ///< what is unlikely about it
+  double charge = 0;         ///< its cost: the terms by their weights
   /// How far the whole line may be off from where it was meant, perpendicular to the chord between its ends: px, root
   /// mean square. 0: not at all.
   double offset_px = 0;
@@ -84,6 +86,6 @@ class SlidingLine {
 /// line that overshoots at one end only is less likely the farther it does. The last alignment assumes that the line
 /// gives the shape and is off from where it was meant.
 [[nodiscard]] std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line,
-                                                double near_px);
+                                                double near_px, const inference::Weights& weights);
 
 }  // namespace penpose::intent

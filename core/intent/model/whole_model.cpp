@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/geometry/space.h"
 #include "core/intent/model/mirror_pairs.h"
@@ -71,6 +72,24 @@ Contacts contacts_of(const rig::Rig& rig, std::span<const ModelPoint> rest, cons
   return contacts;
 }
 
+/// See WholeModel::by_piece.
+std::vector<std::vector<WholeModel::OfPiece>> squares_by_piece(const ControlFields& fields,
+                                                               std::span<const std::uint32_t> pieces) {
+  std::vector<std::vector<WholeModel::OfPiece>> out(fields.control_count());
+  const auto samples = fields.samples();
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    if (!(fields.square(p) > 0.0)) continue;
+    std::map<std::uint32_t, double> sums;
+    const auto field = fields.field(p);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double square = square_of(field[i]);
+      if (square > 0.0) sums[pieces.empty() ? 0 : pieces[samples[i]]] += square;
+    }
+    for (const auto& [piece, square] : sums) out[p].push_back({piece, square});
+  }
+  return out;
+}
+
 }  // namespace
 
 WholeModel measure_whole_model(const rig::Rig& rig) {
@@ -102,6 +121,10 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig); whole.body)
     whole.joint_extents = extents_of(*character->skeleton(), rest);
 
+  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig)) {
+    const auto components = character->mesh().components();
+    whole.pieces.assign(components.begin(), components.end());
+  }
   ControlFields fields(rest);
   std::vector<bool> moved_by_shapes(rest.size());
   std::vector<ControlMoments> moments(d);
@@ -136,6 +159,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   for (std::size_t p = 0; p < d; ++p) shapes[p] = whole.joint[p] == k_no_partner && whole.movement[p] > 0.0;
   whole.composites = composites_of(fields, shapes);
   whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
+  whole.by_piece = squares_by_piece(fields, whole.pieces);
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,14 @@ struct WholeModel {
   std::shared_ptr<const Contacts> contacts;
   /// Of how many others each control is the sum.
   std::vector<Composite> composites;
+  /// One a vertex: the connected piece of the mesh that it belongs to; empty: unknown.
+  std::vector<std::uint32_t> pieces;
+  /// For each control: of each piece that it moves, ascending, the sum of the squares of its field there.
+  struct OfPiece {
+    std::uint32_t piece = 0;
+    double square = 0;
+  };
+  std::vector<std::vector<OfPiece>> by_piece;
   /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.
   std::vector<double> joint_extents;
   /// Its vertices at rest.

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/math.h"
 #include "core/intent/choosing/robust_selection.h"
 #include "core/intent/reading/value_search.h"
 
@@ -16,25 +17,17 @@ constexpr double k_some_way = 0.85;
 /// A line is read in full as aligned in another way where a first look comes as near.
 constexpr std::size_t k_rivals = 3;
 constexpr double k_window = 6.0;
-/// Readings are offered beside the one taken that are within this of it.
-constexpr double k_offered = 12.0;
-/// What leaves more than this of them is no way that anybody could have meant.
-constexpr double k_any_way = 0.97;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2, k_general_matches = 4;
 /// A window that leaves nothing out.
 constexpr double k_however_far = 1e9;
+/// So many readings that look different are asked for their looks, and those that are so little above the best.
+constexpr std::size_t k_looks_at_most = 12;
+constexpr double k_however_unlikely = 20.0;
+/// Exchanges within this of the best are matched.
+constexpr double k_exchanged = 12.0;
 /// So many choices of a selection are looked through for other readings.
 constexpr std::size_t k_looked_through = 64;
-
-/// Whether what the first moves and the second does not is a part of `exchanged`, and something where that is.
-bool is_exchange(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second,
-                 const std::vector<std::size_t>& exchanged) {
-  std::vector<std::size_t> alone;
-  std::set_difference(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(alone));
-  return alone.empty() == exchanged.empty() &&
-         std::includes(exchanged.begin(), exchanged.end(), alone.begin(), alone.end());
-}
 
 }  // namespace
 
@@ -52,8 +45,10 @@ Reading FaceSolver::matched(Choice choice) {
     choice = near(choice, selection.fit(choice.units));
     evaluations += selection.evaluations();
   }
-  const double energy = reader_.matched_energy(choice, choice.costs);
-  return {std::move(choice), energy};
+  Reading reading{std::move(choice), 0.0, {}};
+  reading.energy = reader_.matched_energy(reading.choice, reading.choice.costs);
+  for (std::size_t c = 0; c < reader_.line_count(); ++c) reading.aligned.push_back(reader_.aligned(c));
+  return reading;
 }
 
 Reading FaceSolver::read_choices() {
@@ -70,6 +65,7 @@ Reading FaceSolver::read_choices() {
     for (Choice& one : selection.best(k_rivals, k_window)) rivals.push_back(std::move(one));
     if (round + 1 == rounds && options_.others > 0) asides = exchanges(selection, choice);
   }
+  const std::size_t known = matched_.size();
   Reading best = matched(choice);
   matched_.push_back(best);
   for (std::size_t i = 0; i < rivals.size(); ++i) {
@@ -85,12 +81,13 @@ Reading FaceSolver::read_choices() {
     const auto same = [&](const Reading& other) { return other.choice.units == one.units; };
     if (std::none_of(matched_.begin(), matched_.end(), same)) matched_.push_back(matched(std::move(one)));
   }
+  all_.insert(all_.end(), matched_.begin() + static_cast<std::ptrdiff_t>(known), matched_.end());
   return best;
 }
 
 std::vector<Choice> FaceSolver::exchanges(const RobustSelection& selection, const Choice& from) const {
   // Where nothing moves, what would have is kept however far above it is.
-  const double window = from.units.empty() ? k_however_far : k_offered;
+  const double window = from.units.empty() ? k_however_far : k_exchanged;
   std::vector<Choice> out;
   for (Choice& one : selection.best(k_looked_through, window)) {
     const auto within = [&](const Choice& other) {
@@ -143,7 +140,24 @@ double FaceSolver::first_look(const Choice& choice, std::size_t c) {
   return matched(near(choice, std::move(found))).energy;
 }
 
-Reading FaceSolver::read_best() {
+void FaceSolver::align_as(const Reading& reading) {
+  for (std::size_t c = 0; c < reading.aligned.size(); ++c) reader_.align(c, reading.aligned[c]);
+}
+
+std::vector<Reading> FaceSolver::all() const {
+  std::vector<Reading> all = all_;
+  std::stable_sort(all.begin(), all.end(), [](const Reading& a, const Reading& b) { return a.energy < b.energy; });
+  std::vector<Reading> out;
+  for (Reading& one : all) {
+    const auto same = [&](const Reading& other) {
+      return other.aligned == one.aligned && other.choice.units == one.choice.units;
+    };
+    if (std::none_of(out.begin(), out.end(), same)) out.push_back(std::move(one));
+  }
+  return out;
+}
+
+Reading FaceSolver::read() {
   const std::size_t lines = reader_.line_count();
   for (std::size_t c = 0; c < lines; ++c) reader_.align(c, 0);
   Reading best = read_aligned();
@@ -157,7 +171,7 @@ Reading FaceSolver::read_best() {
       // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter. Beside other
       // lines it says that the curve stays.
       const double asked = reader_.squares_left({})[c];
-      if (lines == 1 && asked < reader_.face_costs().asks_from) continue;
+      if (lines == 1 && asked < reader_.weights().asks_from) continue;
       // Where a first look comes nowhere near it so, it is not how the line was drawn.
       if (first_look(best.choice, c) > best.energy + k_window) continue;
       Reading one = read_aligned();
@@ -172,69 +186,44 @@ Reading FaceSolver::read_best() {
   }
   matched_ = std::move(of_best);
   // What comes hardly nearer is not what was meant.
-  return goes_some_way(best.choice) ? best : matched({});
+  return best;
 }
 
-std::vector<std::size_t> FaceSolver::moved_by(const Choice& choice) const {
-  const rig::Pose from = reader_.pose_of({});
-  const rig::Pose to = reader_.pose_of(choice);
-  std::vector<std::size_t> moved;
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    if (to[i] != from[i]) moved.push_back(i);
-  }
-  return moved;
-}
-
-Reading FaceSolver::read() { return as_taken_before(read_best()); }
-
-Reading FaceSolver::as_taken_before(Reading best) const {
-  const std::vector<TakenReading>& taken = reader_.taken();
-  if (taken.empty()) return best;
-  const std::vector<std::size_t> by_best = moved_by(best.choice);
-  const Reading* other = nullptr;
-  for (const Reading& one : matched_) {
-    if (one.energy > best.energy + reader_.face_costs().taken || (other != nullptr && one.energy >= other->energy))
-      continue;
-    const std::vector<std::size_t> by_one = moved_by(one.choice);
-    const bool exchanged = std::any_of(taken.begin(), taken.end(), [&](const TakenReading& before) {
-      return is_exchange(by_best, by_one, before.instead_of) && is_exchange(by_one, by_best, before.taken);
-    });
-    if (exchanged) other = &one;
-  }
-  return other != nullptr ? *other : best;
-}
-
-std::vector<Reading> FaceSolver::others(const Reading& taken, std::size_t count) {
-  std::vector<Reading> all = matched_;
-  std::stable_sort(all.begin(), all.end(), [](const Reading& a, const Reading& b) { return a.energy < b.energy; });
-  const std::vector<std::size_t> all_moved = moved_by(taken.choice);
-  std::vector<std::vector<std::size_t>> known;
-  if (!all_moved.empty()) known.push_back(all_moved);
-  bool took_back = false;
+std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t count, double& probability) {
+  const inference::Weights& weights = reader_.weights();
+  const bool nothing = taken.choice.units.empty();
   reader_.settle(true);
-  const double most = taken.energy + (known.empty() ? k_however_far : k_offered);
-  std::vector<Reading> out;
-  // What moves a little more besides is no other reading.
-  const auto is_new = [&](const std::vector<std::size_t>& parameters) {
-    return !parameters.empty() && std::none_of(known.begin(), known.end(), [&](const auto& one) {
-      return std::includes(parameters.begin(), parameters.end(), one.begin(), one.end());
+  std::vector<OtherReading> looks{{reader_.pose_of(taken.choice), 0.0, 1.0}};
+  double sum = 1.0;
+  for (Reading& one : all()) {
+    const double above = one.energy - taken.energy;
+    if (looks.size() > 1 + k_looks_at_most && above > k_however_unlikely) break;
+    const double share = base::exp(-above);
+    align_as(one);
+    const bool moves = !one.choice.units.empty();
+    OtherReading other{reader_.pose_of(moves ? matched(std::move(one.choice)).choice : one.choice), above, share};
+    const auto same = std::find_if(looks.begin(), looks.end(), [&](const OtherReading& known) {
+      return reader_.unlikeness(known.pose, other.pose) < weights.alike;
     });
-  };
-  for (Reading& one : all) {
-    if (out.size() == count) break;
-    if (!is_new(moved_by(one.choice))) continue;
-    one = matched(std::move(one.choice));
-    std::vector<std::size_t> parameters = moved_by(one.choice);
-    if (one.energy > most || !is_new(parameters)) continue;
-    if (all_moved.empty() && !leaves_less(one.choice, k_any_way)) continue;
-    // That one side of a pair was not meant is offered once.
-    const bool takes_back = std::includes(all_moved.begin(), all_moved.end(), parameters.begin(), parameters.end());
-    if (takes_back && std::exchange(took_back, true)) continue;
-    known.push_back(std::move(parameters));
-    out.push_back(std::move(one));
+    sum += share;
+    if (same == looks.end()) {
+      looks.push_back(std::move(other));
+    } else {
+      same->probability += share;
+    }
   }
-  std::stable_sort(out.begin(), out.end(), [](const Reading& a, const Reading& b) { return a.energy < b.energy; });
-  return out;
+  align_as(taken);
+  for (OtherReading& one : looks) one.probability /= sum;
+  probability = looks.front().probability;
+  const rig::Pose start = reader_.pose_of({});
+  looks.erase(looks.begin());
+  std::erase_if(looks, [&](const OtherReading& one) {
+    return one.pose == start || (!nothing && one.probability < weights.offered);
+  });
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const OtherReading& a, const OtherReading& b) { return a.probability > b.probability; });
+  if (looks.size() > count) looks.resize(count);
+  return looks;
 }
 
 void FaceSolver::settle(Reading& reading) {

@@ -9,7 +9,7 @@ namespace penpose::intent {
 
 class RobustSelection;
 
-/// Finds the best reading of lines on a face, matching and choosing in turn (FaceCosts, Doubt).
+/// Finds the best reading of lines on a face, matching and choosing in turn (inference::Weights, Doubt).
 class FaceSolver {
  public:
   FaceSolver(Reader& reader, const SolveOptions& options, SolveWorkspace::Buffers& buffers)
@@ -17,18 +17,24 @@ class FaceSolver {
 
   /// Over the ways in which single lines may be aligned; the reader keeps the best one's.
   Reading read();
-  /// Other readings that were matched on the way, at most `count`, the best first; their values follow the lines alone,
-  /// by least squares. Each does without something that the one taken moves, and each of those before it; what moves
-  /// nothing is none of them. Call it last.
-  [[nodiscard]] std::vector<Reading> others(const Reading& taken, std::size_t count);
+  /// Other readings that were found on the way, at most `count`, the likeliest first: those that look different from
+  /// `taken`, as it was before settle, and from each other, and move something. Their values follow the lines alone, by
+  /// least squares. `probability`: receives that of `taken`. Where `taken` moves nothing, the best that move something
+  /// are given however unlikely they are. Call it last.
+  [[nodiscard]] std::vector<OtherReading> others(const Reading& taken, std::size_t count, double& probability);
   /// Lets the values of a reading follow the lines alone: least squares, and downhill simplex on the energy itself.
   void settle(Reading& reading);
+
+  /// All readings that were matched, in whatever alignment, each once, the best first. Call it before settle.
+  [[nodiscard]] std::vector<Reading> all() const;
+  /// A choice of units, matched on its own with the lines as they are aligned, and its energy.
+  Reading matched(Choice choice);
+  /// Aligns the lines as a reading does.
+  void align_as(const Reading& reading);
 
   std::size_t evaluations = 0;
 
  private:
-  /// Over the alignments, whatever the artist took before.
-  Reading read_best();
   /// As aligned. Joints that carry much more than what was drawn are thought of where nothing else goes some way.
   Reading read_aligned();
   Reading read_choices();
@@ -42,19 +48,13 @@ class FaceSolver {
   [[nodiscard]] bool goes_some_way(const Choice& choice);
   /// Whether it leaves less than this share of the squares of a line.
   [[nodiscard]] bool leaves_less(const Choice& choice, double share);
-  /// A choice of units, matched on its own, and its energy.
-  Reading matched(Choice choice);
   /// Angles go a part of their range in one round; shapes all of it.
   [[nodiscard]] Choice near(const Choice& before, Choice after) const;
-
-  /// The best reading; or one that differs from it by an exchange that the artist made before (TakenReading).
-  [[nodiscard]] Reading as_taken_before(Reading best) const;
-  /// The parameters that a choice moves, ascending.
-  [[nodiscard]] std::vector<std::size_t> moved_by(const Choice& choice) const;
 
   Reader& reader_;
   const SolveOptions& options_;
   std::vector<Reading> matched_;  ///< all of the alignment that was read last; of the best one once all were read
+  std::vector<Reading> all_;      ///< of every alignment
   SolveWorkspace::Buffers& b_;
 };
 

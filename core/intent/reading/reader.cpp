@@ -48,18 +48,21 @@ double Reader::way_across(std::span<const PxPoint> curve, std::span<const PxPoin
   return std::sqrt(sum / static_cast<double>(line.size()));
 }
 
-Reader Reader::of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem) {
-  Reader reader(rig, whole, problem, false);
+Reader Reader::of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                  const inference::Weights& weights) {
+  Reader reader(rig, whole, problem, weights, false);
   if (reader.limb() || reader.others_follow()) return reader;
-  return Reader(rig, whole, problem, true);
+  return Reader(rig, whole, problem, weights, true);
 }
 
-Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, bool any_span)
+Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+               const inference::Weights& weights, bool any_span)
     : rig_(rig),
       whole_(whole),
       problem_(problem),
       still_(still_points_of(rig, problem)),
       any_span_(any_span),
+      weights_(weights),
       system_(rig, points_of(problem, still_)) {
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
@@ -80,7 +83,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
     block.alignments =
-        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()));
+        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()), weights);
     // A line that corrects a part goes on in what it leaves as it is: all of the reference is meant.
     if (!curve.stays.empty()) block.alignments.resize(1);
   }
@@ -153,7 +156,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     for (Block& block : blocks_) {
       // How much of a shape a line tells is found with the scale of doubt, and where it lies is always meant.
       std::erase_if(block.alignments, [](const Alignment& one) { return one.offset_px > 0.0; });
-      for (Alignment& one : block.alignments) one.slide = face_.slide;
+      for (Alignment& one : block.alignments) one.slide = weights_.slide;
     }
   }
   if (overshoots_tell()) {
@@ -196,7 +199,7 @@ void Reader::make_units() {
     choices_.low.push_back(std::min(0.0, (parameter.minimum - problem_.start[p]) / ranges_[j]));
     choices_.high.push_back(std::max(0.0, (parameter.maximum - problem_.start[p]) / ranges_[j]));
     choices_.movement.push_back(whole_.movement[p]);
-    choices_.stiffness.push_back(limb() ? k_stiffness : face_.share);
+    choices_.stiffness.push_back(limb() ? k_stiffness : stiffness(false));
   }
   const auto variable_of = [&](std::size_t p) -> std::size_t {
     const auto at = std::lower_bound(parameters_.begin(), parameters_.end(), p);
@@ -219,7 +222,7 @@ void Reader::make_units() {
       if (limb()) {
         unit.charge = whole_.joint[p] == k_no_partner ? side_effect_cost(j) : 0.0;
       } else {
-        unit.charge = face_charge(unit);
+        charge_face(unit);
       }
       choices_.units.push_back(unit);
     }
@@ -239,7 +242,11 @@ void Reader::make_units() {
     unit.members = {j, other, 0};
     unit.count = 2;
     unit.tied = true;
-    unit.charge = limb() ? std::min(side_effect_cost(j), side_effect_cost(other)) : face_charge(unit);
+    if (limb()) {
+      unit.charge = std::min(side_effect_cost(j), side_effect_cost(other));
+    } else {
+      charge_face(unit);
+    }
     choices_.units.push_back(unit);
   }
   make_run_units();
@@ -259,7 +266,7 @@ void Reader::restrict_to(std::span<const std::size_t> joints) {
 void Reader::redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment) {
   Block& block = blocks_[c];
   block.line.emplace(line);
-  if (!limb()) alignment.slide = face_.slide;
+  if (!limb()) alignment.slide = weights_.slide;
   block.alignments.assign(1, alignment);
   block.aligned = 0;
   if (!limb()) measure_asked();

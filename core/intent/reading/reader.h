@@ -11,7 +11,6 @@
 #include "core/intent/line/sliding.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
-#include "core/intent/reading/costs.h"
 #include "core/intent/reading/doubt.h"
 #include "core/intent/reading/reading_costs.h"
 #include "core/joints/turn.h"
@@ -29,8 +28,10 @@ class Reader final : public Relations {
  public:
   /// Precondition: check_problem passed. Where nothing but joints that carry more than was drawn could follow the
   /// lines, those joints are meant, whatever the lines span.
-  [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem);
-  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, bool any_span);
+  [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                 const inference::Weights& weights = inference::learned_weights());
+  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const inference::Weights& weights,
+         bool any_span);
 
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const Costs& costs() const { return costs_; }
@@ -45,12 +46,16 @@ class Reader final : public Relations {
   [[nodiscard]] bool leaves_carriers() const { return !carriers_.empty(); }
   /// Of a face: once it is known which controls are meant, their values follow the lines alone.
   void settle(bool settled);
+  /// Weight of the squares of shares.
+  [[nodiscard]] double stiffness(bool settled) const;
   /// Of a face: the energy's scale, and what choices cost.
   [[nodiscard]] const Doubt& doubt() const { return doubt_; }
-  [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, face_, *this, asked_}; }
-  [[nodiscard]] const FaceCosts& face_costs() const { return face_; }
-  /// Readings that the artist took in place of others.
-  [[nodiscard]] const std::vector<TakenReading>& taken() const { return problem_.taken; }
+  [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, weights_, *this, asked_}; }
+  [[nodiscard]] const inference::Weights& weights() const { return weights_; }
+  [[nodiscard]] bool is_joint(std::size_t variable) const override { return turns(variable); }
+  /// How differently two poses move the whole model from the start: root mean square of the difference over that of the
+  /// one that moves it more.
+  [[nodiscard]] double unlikeness(const rig::Pose& a, const rig::Pose& b) const;
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
   [[nodiscard]] bool moves_group(std::size_t variable, std::size_t group) const override {
@@ -100,6 +105,8 @@ class Reader final : public Relations {
   double energy(const Choice& choice, double costs);
   /// The same, matched there.
   double matched_energy(const Choice& choice, double costs);
+  /// Of a face: what the energy of a choice is the weighted sum of, matched there.
+  inference::Terms terms_of(const Choice& choice);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
   /// How far each variable's whole range moves each drawn curve in its picture, root mean square, model units; one row
@@ -181,6 +188,8 @@ class Reader final : public Relations {
     double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
+    double apart_square = 0, own_square = 0;  ///< of pieces without lines, and of those with lines
+    double usual_way = 0;                    ///< of the control, model units
   };
   struct Relation {
     double likeness = 0, overlap = 0;
@@ -194,6 +203,8 @@ class Reader final : public Relations {
   void group_curves();
   [[nodiscard]] std::vector<std::uint32_t> samples_near_curves() const;
   void measure_fields();
+  /// The pieces of the mesh that lines are drawn on, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> drawn_pieces() const;
   void measure_asked();
   /// Whether each parameter moves a curve of each group by at least k_tells of what anything moves it.
   void measure_groups();
@@ -210,8 +221,9 @@ class Reader final : public Relations {
   /// The cosine of ways, one a point of the drawn curves, with their mirror image.
   [[nodiscard]] double likeness_to_image(std::span<const ModelVector> ways) const;
   /// Of a unit that does on one side what lines ask for on both.
-  [[nodiscard]] double asymmetry_charge(const Unit& unit) const;
-  [[nodiscard]] double face_charge(const Unit& unit) const;
+  [[nodiscard]] double asymmetry_of(const Unit& unit) const;
+  /// Fills in what a unit on a face costs.
+  void charge_face(Unit& unit, bool by_axes = false) const;
   /// The first parameter that moves with a variable, as a number of parameters().
   [[nodiscard]] std::size_t parameter_of(std::size_t variable) const;
   void make_joint_pairs();
@@ -259,13 +271,14 @@ class Reader final : public Relations {
   std::vector<KnownCurve> still_;  ///< what corrections do not touch
   bool any_span_ = false;          ///< a line need not span what its joints carry
   Costs costs_;
-  FaceCosts face_;
+  const inference::Weights& weights_;
   Doubt doubt_;
   std::vector<Field> fields_;                               ///< one a variable
   std::vector<Unit> carriers_;                              ///< left out of choices_
   mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
   std::vector<std::size_t> images_;      ///< of each point of drawn curves, or k_no_partner; empty: not from the front
   std::vector<double> shares_at_start_;  ///< of ranges, from rest, one a parameter of the rig; empty: all at rest
+  double usual_way_ = 0;                 ///< of the shape that moves most of what was drawn, model units
   double symmetry_ = 0;                  ///< of what the lines ask for, 0 to 1
   std::vector<double> asked_;            ///< one a group that tells of controls
   std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them

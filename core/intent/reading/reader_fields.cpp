@@ -9,6 +9,9 @@
 // Of lines on faces: what controls do to the whole model beside what was drawn, and what that costs.
 
 namespace penpose::intent {
+
+using inference::Term;
+
 namespace {
 
 /// Where nothing was moved at all: more than any ratio that counts.
@@ -36,7 +39,7 @@ bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<cons
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
   for (const ModelPoint& at : at_rest(reference)) box.add(at);
-  return box.diagonal() >= face_.spans * largest;
+  return box.diagonal() >= weights_.spans * largest;
 }
 
 void Reader::group_curves() {
@@ -51,7 +54,7 @@ void Reader::group_curves() {
   for (std::size_t c = 0; c < count; ++c) {
     group[c] = c;
     for (std::size_t k = 0; k < c; ++k) {
-      const double far = face_.together * std::min(extent(c), extent(k));
+      const double far = weights_.together * std::min(extent(c), extent(k));
       const bool meets = std::any_of(points(c).begin(), points(c).end(), [&](const ModelPoint& p) {
         return std::any_of(points(k).begin(), points(k).end(),
                            [&](const ModelPoint& q) { return square_of(p - q) < far * far; });
@@ -63,7 +66,7 @@ void Reader::group_curves() {
   }
   std::vector<std::size_t> number(count, k_no_partner);
   for (std::size_t c = 0; c < count; ++c) {
-    if (number[group[c]] == k_no_partner) number[group[c]] = doubt_.add_group(face_.reach);
+    if (number[group[c]] == k_no_partner) number[group[c]] = doubt_.add_group(weights_.reach);
     doubt_.add_curve(number[group[c]]);
   }
   for (std::size_t c = count; c < blocks_.size(); ++c) doubt_.add_curve(doubt_.add_group(k_reach));
@@ -101,7 +104,7 @@ std::vector<std::uint32_t> Reader::samples_near_curves() const {
     const std::vector<ModelPoint> points = at_rest(reference);
     geometry::Box box;
     for (const ModelPoint& p : points) box.add(p);
-    const double far = face_.near * box.diagonal();
+    const double far = weights_.near * box.diagonal();
     for (std::size_t s = 0; s < places.size(); ++s) {
       const ModelPoint& at = places[s];
       const bool outside = at.x < box.minimum.x - far || at.x > box.maximum.x + far || at.y < box.minimum.y - far ||
@@ -120,7 +123,21 @@ std::vector<std::uint32_t> Reader::samples_near_curves() const {
   return near;
 }
 
+std::vector<std::uint32_t> Reader::drawn_pieces() const {
+  std::vector<std::uint32_t> pieces;
+  const auto add = [&](std::span<const posing::CurvePoint> reference) {
+    for (const posing::CurvePoint& point : reference) pieces.push_back(whole_.pieces[point.vertex[0]]);
+  };
+  if (whole_.pieces.empty()) return {0};
+  for (const DrawnCurve& curve : problem_.drawn) add(curve.reference);
+  for (const KnownCurve& curve : problem_.known) add(curve.reference);
+  std::stable_sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
+}
+
 void Reader::measure_fields() {
+  const std::vector<std::uint32_t> pieces = drawn_pieces();
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_near_curves();
   const std::size_t n = start_.size();
@@ -145,12 +162,18 @@ void Reader::measure_fields() {
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
+      for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
+        const bool drawn = std::binary_search(pieces.begin(), pieces.end(), of.piece);
+        (drawn ? one.own_square : one.apart_square) += by[k] * by[k] * of.square;
+      }
       for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
+    one.usual_way = std::sqrt(usual);
+    if (!turns(j) && most > 0.0) usual_way_ = std::max(usual_way_, one.usual_way);
     one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(usual / most)) : 1e3;
   }
   for (const RunVariable& run : run_variables_) {
@@ -208,7 +231,7 @@ bool Reader::carries_more(const Unit& unit) const {
     near += fields_[v].near_square;
     far += fields_[v].far_square;
   }
-  return far > face_.carries_more * near;
+  return far > weights_.carries_more * near;
 }
 
 void Reader::leave_carriers(bool out) {
@@ -250,34 +273,75 @@ bool Reader::others_follow() const {
   return false;
 }
 
+double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
+  const ControlFields& fields = *whole_.fields;
+  std::vector<ModelVector> to_a(fields.samples().size(), ModelVector{0});
+  std::vector<ModelVector> to_b = to_a;
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    const rig::Parameter& parameter = rig_.parameters()[p];
+    // Fields of shapes are those of the whole range, those of joints of a radian.
+    const double range = whole_.joint[p] == k_no_partner ? parameter.maximum - parameter.minimum : 1.0;
+    if (!(range > 0.0) || (a[p] == problem_.start[p] && b[p] == problem_.start[p])) continue;
+    const auto field = fields.field(p);
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      to_a[i] += field[i] * ((a[p] - problem_.start[p]) / range);
+      to_b[i] += field[i] * ((b[p] - problem_.start[p]) / range);
+    }
+  }
+  double apart = 0, of_a = 0, of_b = 0;
+  for (std::size_t i = 0; i < to_a.size(); ++i) {
+    apart += square_of(to_a[i] - to_b[i]);
+    of_a += square_of(to_a[i]);
+    of_b += square_of(to_b[i]);
+  }
+  const double most = std::max(of_a, of_b);
+  return most > 0.0 ? std::sqrt(apart / most) : 0.0;
+}
+
+double Reader::stiffness(bool settled) const {
+  return settled ? weights_.settled_share : std::max(weights_.settled_share, weights_.by[Term::share]);
+}
+
 void Reader::settle(bool settled) {
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
-    if (turn_of_[j] == k_no_partner) choices_.stiffness[j] = settled ? face_.settled_share : face_.share;
+    if (turn_of_[j] == k_no_partner) choices_.stiffness[j] = stiffness(settled);
   }
 }
 
-double Reader::face_charge(const Unit& unit) const {
-  double near = 0, far = 0, parts = 1, fringe = 1e3;
+void Reader::charge_face(Unit& unit, bool by_axes) const {
+  double near = 0, far = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
     far += fields_[v].far_square;
+    apart += fields_[v].apart_square;
+    own += fields_[v].own_square;
+    usual = std::max(usual, fields_[v].usual_way);
     fringe = std::min(fringe, fields_[v].fringe);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
   }
   const double elsewhere = near > 0.0 ? far / near : k_no_share;
-  double charge = face_.unit + face_.elsewhere * base::log(1.0 + elsewhere) + face_.fringe * base::log(fringe) +
-                  face_.part * (parts - 1.0);
+  inference::Terms& terms = unit.terms;
+  terms = {};
+  terms[Term::unit] = 1.0;
+  terms[Term::elsewhere] = base::log(1.0 + elsewhere);
+  terms[Term::apart] = base::log(1.0 + (own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
+  if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
+  terms[Term::fringe] = base::log(fringe);
+  terms[Term::part] = parts - 1.0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t p = parameters_[parameter_of(unit.members[m])];
-    if (!(whole_.contacts->depth(p) > face_.crosses_from)) continue;
+    if (!problem_.taught.empty()) terms[Term::taught] += problem_.taught[p];
+    if (!(whole_.contacts->depth(p) > weights_.crosses_from)) continue;
     const double deep = whole_.contacts->depth(p, shares_at_start_);
-    charge += face_.crosses * std::clamp(deep / face_.crosses_from - 1.0, 0.0, 1.0);
+    terms[Term::crosses] += std::clamp(deep / weights_.crosses_from - 1.0, 0.0, 1.0);
   }
-  if (turns(unit.members[0])) charge += face_.carried * base::log(1.0 + elsewhere / face_.carried_from);
+  if (turns(unit.members[0])) terms[Term::carried] = base::log(1.0 + elsewhere / weights_.carried_from);
+  if (by_axes) terms[Term::axis] = static_cast<double>(unit.count);
   // The sides of a pair that pull against each other.
-  if (unit.tied) charge += face_.against * std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);
-  return charge + asymmetry_charge(unit);
+  if (unit.tied) terms[Term::against] = std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);
+  terms[Term::lopsided] = asymmetry_of(unit);
+  unit.charge = weights_.by.dot(terms);
 }
 
 }  // namespace penpose::intent

@@ -59,7 +59,7 @@ void Reader::add_joint_pair(std::size_t first) {
   Unit unit;
   unit.members = {first, first + 1, first + 2};
   unit.count = 3;
-  unit.charge = face_charge(unit) + face_.axis * static_cast<double>(unit.count);
+  charge_face(unit, true);
   choices_.units.push_back(unit);
 }
 

@@ -177,7 +177,7 @@ void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, d
   unit.members = {first, first + 1, first + 2};
   if (!limb()) {
     for (unit.count = planar ? 1 : 2; unit.count <= count; ++unit.count) {
-      unit.charge = face_charge(unit) + face_.axis * static_cast<double>(unit.count);
+      charge_face(unit, true);
       choices_.units.push_back(unit);
     }
     return;

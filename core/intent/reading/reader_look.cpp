@@ -242,6 +242,20 @@ double Reader::energy(const Choice& choice, double costs) {
   return turns_.empty() ? sum : sum + lean_cost(choice);
 }
 
+inference::Terms Reader::terms_of(const Choice& choice) {
+  energy_at(pose_of(choice));
+  place(pose_of(choice), positions_);
+  std::vector<double> all;
+  inference::Terms terms = reading_costs().terms_of(choice);
+  for (const Block& block : blocks_) {
+    all.push_back(squares(block, positions_));
+    if (block.drawn) terms += block.alignments[block.aligned].terms;
+  }
+  terms[inference::Term::evidence] = doubt_.energy(all);
+  terms[inference::Term::leaning] += lean_cost(choice);
+  return terms;
+}
+
 double Reader::matched_energy(const Choice& choice, double costs) {
   energy_at(pose_of(choice));
   return energy(choice, costs);

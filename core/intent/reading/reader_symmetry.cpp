@@ -72,14 +72,14 @@ void Reader::measure_symmetry() {
   symmetry_ = std::max(0.0, likeness_to_image(asked));
 }
 
-double Reader::asymmetry_charge(const Unit& unit) const {
+double Reader::asymmetry_of(const Unit& unit) const {
   if (symmetry_ == 0.0 || images_.empty()) return 0.0;
   std::vector<ModelVector> ways(images_.size(), ModelVector{0});
   for (std::size_t m = 0; m < unit.count; ++m) {
     const ModelVector* column = columns_.data() + parameter_of(unit.members[m]) * start_.size();
     for (std::size_t i = 0; i < ways.size(); ++i) ways[i] += column[i];
   }
-  return face_.lopsided * symmetry_ * symmetry_ * 0.5 * (1.0 - likeness_to_image(ways));
+  return symmetry_ * symmetry_ * 0.5 * (1.0 - likeness_to_image(ways));
 }
 
 }  // namespace penpose::intent

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/intent/choosing/quadratic.h"
 #include "core/intent/choosing/selection.h"
 #include "core/intent/solve.h"
@@ -20,6 +22,7 @@ struct SolveWorkspace::Buffers {
 struct Reading {
   Choice choice;
   double energy = 0;
+  std::vector<std::size_t> aligned = {};  ///< one a drawn curve: its alignment
 };
 
 }  // namespace penpose::intent

@@ -7,6 +7,9 @@
 #include "core/base/math.h"
 
 namespace penpose::intent {
+
+using inference::Term;
+
 namespace {
 
 /// Share of its range from which on a variable moves anything to speak of.
@@ -46,7 +49,7 @@ bool ReadingCosts::excludes(std::size_t a, std::size_t b) const {
       if (i == k) return true;
     }
   }
-  return likeness(a, b) > costs_.same;
+  return likeness(a, b) > weights_.same;
 }
 
 double ReadingCosts::cost_of_relations(std::span<const std::size_t> units, std::size_t unit) const {
@@ -54,10 +57,21 @@ double ReadingCosts::cost_of_relations(std::span<const std::size_t> units, std::
   double helps = 0;
   for (const std::size_t other : units) {
     const double like = likeness(other, unit);
-    sum += costs_.against * std::max(0.0, -like - 0.1) + costs_.twice * std::max(0.0, like - 0.3);
+    sum += weights_.by[Term::against] * std::max(0.0, -like - 0.1) + weights_.by[Term::twice] * std::max(0.0, like - 0.3);
     helps = std::max(helps, overlap(other, unit));
   }
-  return sum + costs_.helper * helps;
+  return sum + weights_.by[Term::helper] * helps;
+}
+
+void ReadingCosts::add_relations(std::span<const std::size_t> units, std::size_t unit, inference::Terms& terms) const {
+  double helps = 0;
+  for (const std::size_t other : units) {
+    const double like = likeness(other, unit);
+    terms[Term::against] += std::max(0.0, -like - 0.1);
+    terms[Term::twice] += std::max(0.0, like - 0.3);
+    helps = std::max(helps, overlap(other, unit));
+  }
+  terms[Term::helper] += helps;
 }
 
 double ReadingCosts::least_cost_beside(const Choice& choice, std::size_t unit) const {
@@ -74,8 +88,12 @@ bool ReadingCosts::moves(std::size_t unit, std::size_t group) const {
   return std::any_of(members.begin(), members.end(), [&](std::size_t v) { return relations_.moves_group(v, group); });
 }
 
+double ReadingCosts::decades_asked(std::size_t group) const {
+  return base::log(std::max(1.0, asked_[group] / weights_.asks_from)) / base::log(10.0);
+}
+
 double ReadingCosts::cost_of_nothing(std::size_t group) const {
-  return costs_.nothing * base::log(std::max(1.0, asked_[group] / costs_.asks_from)) / base::log(10.0);
+  return weights_.by[Term::nothing] * decades_asked(group);
 }
 
 double ReadingCosts::cost_of_nothing(std::span<const std::size_t> units) const {
@@ -107,13 +125,15 @@ double ReadingCosts::costs_for(const Choice& choice, std::size_t group) const {
   return without_nothing(choice) - without_nothing(others) + (nothing ? cost_of_nothing(group) : 0.0);
 }
 
-double ReadingCosts::limit_costs(const Choice& choice) const {
+double ReadingCosts::limit_costs(const Choice& choice) const { return weights_.by[Term::limit] * limits_of(choice); }
+
+double ReadingCosts::limits_of(const Choice& choice) const {
   double sum = 0;
   for (const std::size_t u : choice.units) {
     double most = 0;
     for (const std::size_t v : members_of(choices_.units[u]))
       most = std::max(most, share_of_range(value_of(choice, v), v, choices_));
-    sum += costs_.limit * std::max(0.0, (most - costs_.limit_from) / (1.0 - costs_.limit_from));
+    sum += std::max(0.0, (most - weights_.limit_from) / (1.0 - weights_.limit_from));
   }
   return sum;
 }
@@ -125,7 +145,7 @@ double ReadingCosts::stiffness_of(const Choice& choice) const {
   return sum;
 }
 
-double ReadingCosts::costs_of(const Choice& choice) const {
+std::vector<std::size_t> ReadingCosts::moving(const Choice& choice) const {
   // What stays at nothing moves nothing.
   std::vector<std::size_t> moving;
   std::copy_if(choice.units.begin(), choice.units.end(), std::back_inserter(moving), [&](std::size_t u) {
@@ -133,15 +153,47 @@ double ReadingCosts::costs_of(const Choice& choice) const {
     return std::any_of(members.begin(), members.end(),
                        [&](std::size_t v) { return std::abs(value_of(choice, v)) >= k_moves; });
   });
-  double sum = cost_of_nothing(moving);
+  return moving;
+}
+
+double ReadingCosts::costs_of(const Choice& choice) const {
+  double sum = cost_of_nothing(moving(choice));
   for (std::size_t i = 0; i < choice.units.size(); ++i) {
     const Unit& unit = choices_.units[choice.units[i]];
     sum += unit.charge + cost_of_relations(std::span(choice.units).first(i), choice.units[i]);
     if (!unit.tied) continue;
     const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
-    sum += costs_.tie * apart * apart;
+    sum += weights_.by[Term::tie] * apart * apart;
   }
   return sum;
+}
+
+inference::Terms ReadingCosts::terms_of(const Choice& choice) const {
+  inference::Terms terms;
+  const std::vector<std::size_t> moves_something = moving(choice);
+  for (std::size_t g = 0; g < asked_.size(); ++g) {
+    if (std::none_of(moves_something.begin(), moves_something.end(), [&](std::size_t u) { return moves(u, g); }))
+      terms[Term::nothing] += decades_asked(g);
+  }
+  for (std::size_t i = 0; i < choice.units.size(); ++i) {
+    const Unit& unit = choices_.units[choice.units[i]];
+    terms += unit.terms;
+    add_relations(std::span(choice.units).first(i), choice.units[i], terms);
+    if (!unit.tied) continue;
+    const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
+    terms[Term::tie] += apart * apart;
+  }
+  terms += choice.fitted;
+  terms[Term::limit] = limits_of(choice);
+  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
+    const double square = choice.values[i] * choice.values[i];
+    if (relations_.is_joint(choice.variables[i])) {
+      terms[Term::leaning] += choices_.stiffness[choice.variables[i]] * square;
+    } else {
+      terms[Term::share] += square;
+    }
+  }
+  return terms;
 }
 
 }  // namespace penpose::intent

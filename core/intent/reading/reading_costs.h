@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intent/choosing/selection.h"
-#include "core/intent/reading/costs.h"
+#include "core/inference/weights.h"
 
 namespace penpose::intent {
 
@@ -13,17 +13,19 @@ class Relations {
   [[nodiscard]] virtual double likeness(std::size_t a, std::size_t b) const = 0;
   /// How much they move the same places, in whatever direction: 0 to 1.
   [[nodiscard]] virtual double overlap(std::size_t a, std::size_t b) const = 0;
+  /// Whether a variable is a joint's.
+  [[nodiscard]] virtual bool is_joint(std::size_t variable) const = 0;
   /// Whether a variable moves a curve of a group.
   [[nodiscard]] virtual bool moves_group(std::size_t variable, std::size_t group) const = 0;
 };
 
-/// What readings of lines on faces cost (FaceCosts).
+/// What readings of lines on faces cost (inference::Weights).
 class ReadingCosts final : public ChoiceCosts {
  public:
   /// `asked`: for each group of curves the largest D before anything moves.
-  ReadingCosts(const Choices& choices, const FaceCosts& costs, const Relations& relations,
+  ReadingCosts(const Choices& choices, const inference::Weights& weights, const Relations& relations,
                std::span<const double> asked)
-      : choices_(choices), costs_(costs), relations_(relations), asked_(asked) {}
+      : choices_(choices), weights_(weights), relations_(relations), asked_(asked) {}
 
   [[nodiscard]] double costs_of(const Choice& choice) const override;
   [[nodiscard]] double limit_costs(const Choice& choice) const override;
@@ -41,20 +43,29 @@ class ReadingCosts final : public ChoiceCosts {
   /// Whether two units cannot move together.
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
   [[nodiscard]] const Choices& choices() const { return choices_; }
-  [[nodiscard]] const FaceCosts& constants() const { return costs_; }
+  [[nodiscard]] const inference::Weights& weights() const { return weights_; }
+  /// What costs_of, limit_costs and stiffness_of are the weighted sum of.
+  [[nodiscard]] inference::Terms terms_of(const Choice& choice) const;
 
  private:
   /// Of the members' pairs the one farthest from 0.
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
+  void add_relations(std::span<const std::size_t> units, std::size_t unit, inference::Terms& terms) const;
   /// Of the groups that none of the units moves: a line that asks for more than the hand's doubt is not drawn for
   /// nothing.
   [[nodiscard]] double cost_of_nothing(std::span<const std::size_t> units) const;
   [[nodiscard]] double cost_of_nothing(std::size_t group) const;
+  /// Decades by which a group asks for more than a hand strays.
+  [[nodiscard]] double decades_asked(std::size_t group) const;
+  /// Units near an end of their range, 0 to 1 each.
+  [[nodiscard]] double limits_of(const Choice& choice) const;
+  /// The units of a choice that move anything to speak of.
+  [[nodiscard]] std::vector<std::size_t> moving(const Choice& choice) const;
   [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;
 
   const Choices& choices_;
-  const FaceCosts& costs_;
+  const inference::Weights& weights_;
   const Relations& relations_;
   std::span<const double> asked_;
 };

@@ -80,7 +80,7 @@ std::vector<std::string> words_of_readings(const document::Document& document) {
   const document::Moment* moment = document.moment.get();
   if (moment == nullptr || moment->lines.empty() || !document::is_last_line(document, moment->lines.back().curve))
     return out;
-  for (const rig::Pose& one : moment->others) out.push_back(words_of(document, one));
+  for (const document::Moment::Other& one : moment->others) out.push_back(words_of(document, one.pose));
   return out;
 }
 

@@ -27,7 +27,7 @@ namespace {
 using json::Json;
 
 /// Other readings that are printed.
-constexpr std::size_t k_others = 2;
+constexpr std::size_t k_others = 4;
 
 /// Which energy is minimised.
 enum class Preset : std::uint8_t { meant, exact, paper };
@@ -93,7 +93,10 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const io::Pose
     auto solution = timed(pose_case, solved.solve_us, solve);
     if (!solution) return solution.error();
     options.others = k_others;
-    if (auto with_others = solve()) solution->others = std::move(with_others->others);
+    if (auto with_others = solve()) {
+      solution->others = std::move(with_others->others);
+      solution->probability = with_others->probability;
+    }
     solved.solution.pose = solution->pose;
     solved.solution.energy_start = solution->energy_start;
     solved.solution.energy = solution->energy;
@@ -123,7 +126,7 @@ Json others_json(const intent::Solution& solution, const rig::Rig& rig) {
       const rig::Parameter& parameter = rig.parameters()[i];
       if (one.pose[i] != parameter.rest) parameters[parameter.name] = one.pose[i];
     }
-    others.push_back({{"above", one.above}, {"parameters", std::move(parameters)}});
+    others.push_back({{"above", one.above}, {"probability", one.probability}, {"parameters", std::move(parameters)}});
   }
   return others;
 }

@@ -13,7 +13,7 @@ namespace {
 using geometry::ModelPoint;
 
 /// Other readings that are kept of each line.
-constexpr std::size_t k_others = 2;
+constexpr std::size_t k_others = 4;
 
 intent::SolveOptions with_others() {
   intent::SolveOptions options;
@@ -21,10 +21,10 @@ intent::SolveOptions with_others() {
   return options;
 }
 
-std::vector<rig::Pose> poses_of(std::vector<intent::OtherReading> others) {
-  std::vector<rig::Pose> poses;
-  for (intent::OtherReading& one : others) poses.push_back(std::move(one.pose));
-  return poses;
+std::vector<Moment::Other> kept_of(std::vector<intent::OtherReading> others) {
+  std::vector<Moment::Other> kept;
+  for (intent::OtherReading& one : others) kept.push_back({std::move(one.pose), one.above, one.probability});
+  return kept;
 }
 
 /// How far what a correction touches is from its target, px in the mean. `stays`: what it does not touch.
@@ -69,7 +69,8 @@ Changed solved_for(Document document, CurveId drawn, Parts& work, const std::vec
   }
   document.pose = std::move(solution->pose);
   moment.posed = document.pose;
-  moment.others = poses_of(std::move(solution->others));
+  moment.others = kept_of(std::move(solution->others));
+  moment.probability = solution->probability;
   for (const CurveId anew : drawn_anew(moment)) {
     std::erase_if(document.curves, [&](const auto& curve) { return curve->id == anew; });
     std::erase_if(moment.lines, [&](const auto& line) { return line.curve == anew; });

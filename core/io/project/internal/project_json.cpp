@@ -1,6 +1,7 @@
 #include "core/io/project/internal/project_json.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command_text.h"
@@ -75,6 +76,10 @@ Problem read_taken(const json::Json& project, const std::string& pointer, Docume
     const std::string at = json::child(here, i);
     if (auto problem = read_names((*value)[i], "taken", at, one.taken)) return problem;
     if (auto problem = read_names((*value)[i], "instead_of", at, one.instead_of)) return problem;
+    const json::Json* by = json::find((*value)[i], "by");
+    if (by == nullptr || !by->is_number() || !(std::abs(by->get<double>()) <= document::k_most_taught))
+      return project_error("a number from 0 to " + std::to_string(static_cast<int>(document::k_most_taught)) + " was expected", json::child(at, "by"));
+    one.by = by->get<double>();
   }
   // A control that is gone tells nothing.
   out.taken = document::taken_of_rig(std::move(taken), out.model->rig->parameters());
@@ -127,7 +132,7 @@ Problem read_pending(const json::Json& project, const std::string& pointer, Docu
 
 json::Json to_json(const std::vector<document::TakenReading>& taken) {
   json::Json out = json::Json::array();
-  for (const document::TakenReading& one : taken) out.push_back({{"taken", one.taken}, {"instead_of", one.instead_of}});
+  for (const document::TakenReading& one : taken) out.push_back({{"taken", one.taken}, {"instead_of", one.instead_of}, {"by", one.by}});
   return out;
 }
 

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace penpose::inference {
+
+/// What the energy of a reading is the sum of: each term times its learned weight. All are dimensionless and at least
+/// 0, and mean the same on any rig.
+enum class Term : std::uint8_t {
+  evidence,    ///< what the pose leaves of the lines, as -log of its likelihood (Student's t)
+  unit,        ///< units that move
+  elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
+  apart,       ///< log(1 + what a unit moves of other pieces of the mesh over what it moves of those with lines, squared)
+  faint,       ///< log(usual way of the control that moves most / a unit's own)
+  fringe,      ///< log(usual way of a unit's field / largest way of the lines)
+  carried,     ///< of joints: elsewhere beyond what any joint carries
+  axis,        ///< axes about which joints turn
+  part,        ///< parts beyond the first of a control that is the sum of others
+  crosses,     ///< how deep a control drives lips through each other, 0 to 1
+  lopsided,    ///< how much a unit does on one side of what the lines ask for on both, 0 to 1
+  against,     ///< cosine of two units' fields beyond a tenth against each other
+  twice,       ///< cosine of two units' fields beyond three tenths alike
+  helper,      ///< how much a unit moves what another one moves already, 0 to 1
+  limit,       ///< units near an end of their range, 0 to 1 each
+  share,       ///< squares of the controls' shares of their ranges
+  tie,         ///< squares of the differences between the sides of a pair
+  nothing,     ///< decades by which a line that moves nothing asks for more than a hand strays
+  backwards,   ///< lines read from their other end, where both are possible
+  partial,     ///< lines that are read as a part of their curve
+  left_out,    ///< the shares of curves that are left out so
+  overshot,    ///< lines that are read as longer than their curve
+  one_end,     ///< by how much they are longer at one end alone
+  determined,  ///< log of how exactly the lines determine the values: the curvature over the prior's (Laplace)
+  taught,      ///< what the artist's choices on this rig taught of a unit; below 0 where it is meant more often
+  astray,      ///< how far what the lines do is from the way that was asked: -log of the cosine's square
+  leaning,     ///< joints that lean as joints rarely do
+};
+inline constexpr std::size_t k_term_count = static_cast<std::size_t>(Term::leaning) + 1;
+
+/// A number for each term.
+class Terms {
+ public:
+  [[nodiscard]] double& operator[](Term term) { return values_[static_cast<std::size_t>(term)]; }
+  [[nodiscard]] double operator[](Term term) const { return values_[static_cast<std::size_t>(term)]; }
+  [[nodiscard]] std::span<const double, k_term_count> values() const { return values_; }
+  [[nodiscard]] std::span<double, k_term_count> values() { return values_; }
+
+  Terms& operator+=(const Terms& other) {
+    for (std::size_t k = 0; k < k_term_count; ++k) values_[k] += other.values_[k];
+    return *this;
+  }
+  [[nodiscard]] double dot(const Terms& other) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < k_term_count; ++k) sum += values_[k] * other.values_[k];
+    return sum;
+  }
+
+ private:
+  std::array<double, k_term_count> values_{};
+};
+
+/// Its name in tables: that of the enumerator.
+[[nodiscard]] const char* name_of(Term term);
+
+}  // namespace penpose::inference

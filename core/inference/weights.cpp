@@ -1,0 +1,24 @@
+#include "core/inference/weights.h"
+
+namespace penpose::inference {
+
+std::span<const Scale> scales() {
+  static constexpr std::array k_scales{Scale{"reach", &Weights::reach},
+                                       Scale{"asks_from", &Weights::asks_from},
+                                       Scale{"carried_from", &Weights::carried_from},
+                                       Scale{"limit_from", &Weights::limit_from},
+                                       Scale{"settled_share", &Weights::settled_share},
+                                       Scale{"crosses_from", &Weights::crosses_from},
+                                       Scale{"same", &Weights::same},
+                                       Scale{"near", &Weights::near},
+                                       Scale{"together", &Weights::together},
+                                       Scale{"spans", &Weights::spans},
+                                       Scale{"carries_more", &Weights::carries_more},
+                                       Scale{"offered", &Weights::offered},
+                                       Scale{"alike", &Weights::alike},
+                                       Scale{"taught_margin", &Weights::taught_margin},
+                                       Scale{"slide", &Weights::slide}};
+  return k_scales;
+}
+
+}  // namespace penpose::inference
