@@ -11,6 +11,7 @@ std::span<const Scale> scales() {
                                        Scale{"crosses_from", &Weights::crosses_from},
                                        Scale{"same", &Weights::same},
                                        Scale{"near", &Weights::near},
+                                       Scale{"far", &Weights::far},
                                        Scale{"together", &Weights::together},
                                        Scale{"spans", &Weights::spans},
                                        Scale{"carries_more", &Weights::carries_more},

@@ -26,6 +26,8 @@ struct Weights {
   double same = 0.9;
   /// Near a curve is what lies within this share of its extent.
   double near = 0.18;
+  /// Far from a curve is what lies beyond this share of its extent.
+  double far = 0.6;
   /// Curves nearer to each other than this share of the smaller one's extent are met or missed together.
   double together = 0.15;
   /// A line speaks for joints whose own part of the model it spans by this share.

@@ -97,14 +97,14 @@ void Reader::measure_groups() {
   }
 }
 
-std::vector<std::uint32_t> Reader::samples_near_curves() const {
+std::vector<std::uint32_t> Reader::samples_within(double share) const {
   const std::span<const ModelPoint> places = whole_.fields->places();
   std::vector<bool> is_near(places.size(), false);
   const auto mark = [&](std::span<const posing::CurvePoint> reference) {
     const std::vector<ModelPoint> points = at_rest(reference);
     geometry::Box box;
     for (const ModelPoint& p : points) box.add(p);
-    const double far = weights_.near * box.diagonal();
+    const double far = share * box.diagonal();
     for (std::size_t s = 0; s < places.size(); ++s) {
       const ModelPoint& at = places[s];
       const bool outside = at.x < box.minimum.x - far || at.x > box.maximum.x + far || at.y < box.minimum.y - far ||
@@ -139,7 +139,8 @@ std::vector<std::uint32_t> Reader::drawn_pieces() const {
 void Reader::measure_fields() {
   const std::vector<std::uint32_t> pieces = drawn_pieces();
   const ControlFields& fields = *whole_.fields;
-  const std::vector<std::uint32_t> near = samples_near_curves();
+  const std::vector<std::uint32_t> near = samples_within(weights_.near);
+  const std::vector<std::uint32_t> not_far = samples_within(weights_.far);
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -157,9 +158,11 @@ void Reader::measure_fields() {
     }
     double whole = 0;
     double usual = 0;
+    std::vector<ModelVector> around(not_far.size(), ModelVector{0});
     for (std::size_t k = 0; k < count; ++k) {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
+      for (std::size_t i = 0; i < not_far.size(); ++i) around[i] += field[not_far[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
@@ -170,6 +173,9 @@ void Reader::measure_fields() {
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
+    one.distant_square = whole;
+    for (const ModelVector& way : around) one.distant_square -= square_of(way);
+    one.distant_square = std::max(0.0, one.distant_square);
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
     one.usual_way = std::sqrt(usual);
@@ -309,11 +315,12 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, far = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, far = 0, distant = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
     far += fields_[v].far_square;
+    distant += fields_[v].distant_square;
     apart += fields_[v].apart_square;
     own += fields_[v].own_square;
     usual = std::max(usual, fields_[v].usual_way);
@@ -325,6 +332,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   terms = {};
   terms[Term::unit] = 1.0;
   terms[Term::elsewhere] = base::log(1.0 + elsewhere);
+  terms[Term::distant] = base::log(1.0 + (near > 0.0 ? distant / near : k_no_share));
   terms[Term::apart] = base::log(1.0 + (own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
   terms[Term::fringe] = base::log(fringe);

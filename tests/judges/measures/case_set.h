@@ -23,6 +23,11 @@ class CaseSet {
 
   [[nodiscard]] const WholeFace& whole() const { return whole_; }
 
+  /// What is offered beside the answer to a drawn case.
+  [[nodiscard]] std::vector<rig::Pose> others(const Case& one) {
+    return solver_.others(one.asked, io::TargetForm::drawn);
+  }
+
   /// The outcomes of all cases, one after the other. `judge(one, pose, outcome)` fills in what the measure looks at. A
   /// case that is refused counts as if nothing had moved.
   template <typename Judge>

@@ -7,6 +7,9 @@
 namespace penpose::judges {
 namespace {
 
+/// As many as the window offers.
+constexpr std::size_t k_offered_at_most = 4;
+
 Answer refused(const base::Error& error) {
   Answer answer;
   answer.refused = error.line();
@@ -33,6 +36,18 @@ Answer Solver::meant(const io::PoseCase& one, io::TargetForm form) {
   const auto problem = tracking::intent_of_case(model_, one, tracking::FreeSet::all, form, hand_);
   if (!problem) return refused(problem.error());
   return timed([&] { return intent::solve(*model_.rig, whole_, *problem, {}, meant_work_); });
+}
+
+std::vector<rig::Pose> Solver::others(const io::PoseCase& one, io::TargetForm form) {
+  const auto problem = tracking::intent_of_case(model_, one, tracking::FreeSet::all, form, hand_);
+  std::vector<rig::Pose> poses;
+  if (!problem) return poses;
+  intent::SolveOptions options;
+  options.others = k_offered_at_most;
+  const auto solution = intent::solve(*model_.rig, whole_, *problem, options, meant_work_);
+  if (!solution) return poses;
+  for (const intent::OtherReading& other : solution->others) poses.push_back(other.pose);
+  return poses;
 }
 
 Answer Solver::exact(const io::PoseCase& one) {

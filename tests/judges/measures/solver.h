@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/intent/solve.h"
 #include "core/io/project/case_file.h"
@@ -22,6 +23,8 @@ class Solver {
   Solver(const document::Model& model, const io::CaseFile& file);
   /// What was meant (the default preset).
   [[nodiscard]] Answer meant(const io::PoseCase& one, io::TargetForm form);
+  /// Other readings that are offered beside what was meant, the likeliest first.
+  [[nodiscard]] std::vector<rig::Pose> others(const io::PoseCase& one, io::TargetForm form);
   /// The least sum of distances, vertex i to target i (the preset `exact`).
   [[nodiscard]] Answer exact(const io::PoseCase& one);
 

@@ -13,6 +13,7 @@ struct Outcome {
   double right = 0;  ///< how many of `of` were right: 1 of 1 for a gesture, labels of lines for a drawing
   double nothing = 0;
   double of = 0;
+  std::optional<double> offered;  ///< where it is wrong: 1 if a right reading is offered beside it, else 0
   std::optional<double> error;  ///< per cent: of the whole face's movement, of the figure's height, gap to the optimum
   std::optional<double> stray;  ///< per cent of the size: the largest movement of what should not move
   std::optional<double> still;  ///< per cent of the size: the largest movement where nothing should move

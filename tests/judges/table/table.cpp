@@ -53,6 +53,8 @@ Row row_of(const Judged& judged) {
     row.right += one.right;
     row.nothing += one.nothing;
     row.of += one.of;
+    row.offered += one.offered.value_or(0);
+    row.offered_of += one.offered ? 1 : 0;
     times.push_back(one.ms);
   }
   const Values errors = all_of(judged.outcomes, &Outcome::error);
@@ -91,12 +93,12 @@ std::string printed(std::span<const Row> rows) {
   };
   const auto line = [&](std::span<const std::string> cells) {
     constexpr std::size_t k_text = 3;
-    constexpr std::array<std::size_t, 11> k_widths{10, 16, 9, 6, 10, 16, 14, 7, 7, 11, 14};
+    constexpr std::array<std::size_t, 12> k_widths{10, 16, 9, 6, 10, 8, 16, 14, 7, 7, 11, 14};
     std::string out;
     for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? " " : "") + padded(cells[i], k_widths[i], i < k_text);
     return out + "\n";
   };
-  const std::vector<std::string> head{"measure", "rig",     "group",  "cases",    "right",  "error %",
+  const std::vector<std::string> head{"measure", "rig",     "group",  "cases",    "right",  "offered", "error %",
                                       "stray %", "still %", "left %", "controls", "time ms"};
   std::string text = line(head);
   for (const Row& row : rows) {
@@ -107,6 +109,7 @@ std::string printed(std::span<const Row> rows) {
         row.group,
         std::to_string(row.cases),
         row.of > 0 ? base::format_fixed(row.right, 0) + "/" + base::format_fixed(row.of, 0) : "",
+        row.offered_of > 0 ? base::format_fixed(row.offered, 0) + "/" + base::format_fixed(row.offered_of, 0) : "",
         two(cell(row.error_median, 2), cell(row.error_worst, 1)),
         two(cell(row.stray_95, 2), cell(row.stray_worst, 2)),
         cell(row.still_worst, 2),
@@ -146,6 +149,7 @@ nlohmann::json row_to_json(const Row& row) {
                       {"ms_median", rounded(row.ms_median)},
                       {"ms_worst", rounded(row.ms_worst)}};
   if (row.of > 0) json.update({{"right", row.right}, {"nothing", row.nothing}, {"of", row.of}});
+  if (row.offered_of > 0) json.update({{"offered", row.offered}, {"offered_of", row.offered_of}});
   for (const Member& member : k_members) {
     if (row.*member.value) json[member.name] = rounded(*(row.*member.value));
   }
@@ -173,6 +177,8 @@ Row row_from_json(const nlohmann::json& json) {
   row.right = json.value("right", 0.0);
   row.nothing = json.value("nothing", 0.0);
   row.of = json.value("of", 0.0);
+  row.offered = json.value("offered", 0.0);
+  row.offered_of = json.value("offered_of", 0.0);
   row.ms_median = json.value("ms_median", 0.0);
   row.ms_worst = json.value("ms_worst", 0.0);
   for (const Member& member : k_members) {

@@ -15,6 +15,7 @@ struct Row {
   std::string measure, rig, group;
   std::size_t cases = 0;
   double right = 0, nothing = 0, of = 0;
+  double offered = 0, offered_of = 0;  ///< wrong cases in which a right reading is offered, and all of them
   std::optional<double> error_median, error_worst;  ///< per cent
   std::optional<double> stray_95, stray_worst;      ///< per cent
   std::optional<double> still_worst;                ///< per cent

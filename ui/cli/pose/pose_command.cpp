@@ -13,6 +13,7 @@
 #include "core/posing/solve.h"
 #include "core/tracking/case_problem.h"
 #include "ui/cli/orientation_option.h"
+#include "ui/cli/pose/explained.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
@@ -43,6 +44,7 @@ struct PoseArguments {
   io::TargetForm form = io::TargetForm::points;
   Preset preset = Preset::meant;
   bool json = false;
+  bool explain = false;
 };
 
 struct SolvedCase {
@@ -50,6 +52,7 @@ struct SolvedCase {
   posing::Solution solution;
   double solve_us = 0;
   std::optional<intent::Solution> meant;  ///< what the default preset says beyond it
+  std::vector<intent::ExplainedReading> readings;  ///< where they are asked for
 };
 
 /// What solving needs of a model, made once.
@@ -84,7 +87,7 @@ auto timed(const io::PoseCase& pose_case, double& median_us, const Solve& solve)
 
 base::Result<SolvedCase> solve_case(const document::Model& model, const io::PoseCase& pose_case,
                                     const PoseArguments& arguments, Solvers& solvers) {
-  SolvedCase solved{pose_case.name, {}, 0, std::nullopt};
+  SolvedCase solved{pose_case.name, {}, 0, std::nullopt, {}};
   if (arguments.preset == Preset::meant) {
     const auto problem = tracking::intent_of_case(model, pose_case, arguments.free, arguments.form, solvers.hand);
     if (!problem) return problem.error();
@@ -96,6 +99,11 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const io::Pose
     if (auto with_others = solve()) {
       solution->others = std::move(with_others->others);
       solution->probability = with_others->probability;
+    }
+    if (arguments.explain) {
+      auto readings = intent::explain(*model.rig, solvers.whole, *problem, options, solvers.meant);
+      if (!readings) return readings.error();
+      solved.readings = std::move(readings).value();
     }
     solved.solution.pose = solution->pose;
     solved.solution.energy_start = solution->energy_start;
@@ -137,7 +145,7 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
   Json parameters = Json::object();
   for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[document.model->rig->parameters()[i].name] = s.pose[i];
   const Json others = solved.meant ? others_json(*solved.meant, *document.model->rig) : Json::array();
-  return {{"name", solved.name},
+  Json out = {{"name", solved.name},
           {"variables", s.variables},
           {"energy_start", s.energy_start},
           {"energy", s.energy},
@@ -148,9 +156,11 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
           {"put_back", s.put_back},
           {"solve_us", solved.solve_us},
           {"state", hasher(document).whole.hex()}};
+  if (!solved.readings.empty()) out["readings"] = explained_json(solved.readings, *document.model->rig);
+  return out;
 }
 
-void print_row(const SolvedCase& solved, const document::Model& model) {
+void print_row(const SolvedCase& solved, const document::Model& model, bool explain) {
   const posing::Solution& s = solved.solution;
   std::cout << std::left << std::setw(28) << base::shown_name(solved.name) << std::right << "  energy " << std::setw(10)
             << base::format_fixed(s.energy_start, 4) << " -> " << std::setw(10) << base::format_fixed(s.energy, 4)
@@ -161,6 +171,7 @@ void print_row(const SolvedCase& solved, const document::Model& model) {
     if (s.pose[i] != parameters[i].rest)
       std::cout << "    " << base::shown_name(parameters[i].name) << " = " << base::format_fixed(s.pose[i], 4) << '\n';
   }
+  if (explain) std::cout << explained_table(solved.readings, *model.rig);
 }
 
 int pose(const PoseArguments& arguments) {
@@ -216,7 +227,7 @@ int pose(const PoseArguments& arguments) {
         {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
     std::cout << result.dump_as_made() << '\n';
   } else {
-    for (const SolvedCase& one : solved) print_row(one, model);
+    for (const SolvedCase& one : solved) print_row(one, model, arguments.explain);
   }
   if (!arguments.out.empty()) {
     document->pose = solved.back().solution.pose;
@@ -258,6 +269,9 @@ void add_options(const Command& command, PoseArguments& arguments) {
           "single simplex of 2006")
       .one_of({"default", "exact", "paper"});
   command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
+  command.add_flag("--explain",
+                   arguments.explain,
+                   "Print how the lines can be read and why the first reading wins (preset default, lines on faces)");
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);
 }
