@@ -4,8 +4,6 @@
 #include <array>
 
 #include "tests/judges/cases/gesture_list.h"
-#include "tests/judges/cases/picture.h"
-#include "tests/judges/hands/hand.h"
 #include "tests/judges/rigs/control_words.h"
 
 namespace penpose::judges {
@@ -66,39 +64,57 @@ std::vector<PxPoint> bent(const GestureKind::Line& line, const std::vector<PxPoi
 
 }  // namespace
 
+GestureArtist::GestureArtist(const Rig& rig)
+    : rig_(rig),
+      rest_(posed(rig.model, rig::rest_pose(*rig.model.rig))),
+      picture_(rig.model.front_yaw_degrees, size_of(rest_, rig.lines)),
+      moves_brows_(moves_brows(rig)) {
+  const auto lip = picture_.flat(rest_, rig.line("lip_upper")->vertices);
+  middle_ = (lip.front() + lip.back()) * 0.5;
+  half_ = 0.5 * geometry::distance(lip.front(), lip.back());
+}
+
+std::optional<Gesture> GestureArtist::meant(const GestureKind& kind) const {
+  Meant meant = meant_on(rig_, kind);
+  const bool can = std::none_of(meant.needed.begin(), meant.needed.end(), [](const auto& g) { return g.empty(); });
+  const bool cannot = kind.lines.front().name.starts_with("brow") && !moves_brows_;
+  if (!can && !cannot) return {};
+  Gesture gesture;
+  gesture.needed = std::move(meant.needed);
+  gesture.accepted = std::move(meant.accepted);
+  gesture.still_is_right = cannot;
+  if (cannot) gesture.needed.clear();
+  return gesture;
+}
+
+void GestureArtist::draw(Gesture& gesture, const GestureKind& kind, const Hand& hand, std::string name) const {
+  const auto flat = [&](const std::string& line) { return picture_.flat(rest_, rig_.line(line)->vertices); };
+  gesture.asked.name = std::move(name);
+  gesture.asked.view_yaw_degrees = rig_.model.front_yaw_degrees;
+  gesture.hand = hand.name;
+  for (const GestureKind::Line& line : kind.lines) {
+    const auto& vertices = rig_.line(line.name)->vertices;
+    std::vector<PxPoint> towards;
+    if (!line.towards.empty()) towards = resampled(flat(line.towards), vertices.size());
+    const auto drawn = drawn_by(hand, bent(line, flat(line.name), towards, middle_, half_),
+                                seed_of(rig_.name, gesture.asked.name + line.name));
+    gesture.asked.references.push_back({line.name, vertices, picture_.in_space(drawn, rest_, vertices), {}});
+  }
+}
+
 std::vector<Gesture> gestures(const Rig& rig, Extent extent) {
-  const auto rest = posed(rig.model, rig::rest_pose(*rig.model.rig));
-  const Picture picture(0, size_of(rest, rig.lines));
-  const auto flat = [&](const std::string& name) { return picture.flat(rest, rig.line(name)->vertices); };
-  const auto lip = flat("lip_upper");
-  const PxPoint middle = (lip.front() + lip.back()) * 0.5;
-  const double half = 0.5 * geometry::distance(lip.front(), lip.back());
+  const GestureArtist artist(rig);
   std::vector<Gesture> all;
   std::size_t number = 0;
   for (const GestureKind& kind : gesture_kinds()) {
-    Meant meant = meant_on(rig, kind);
-    const bool can = std::none_of(meant.needed.begin(), meant.needed.end(), [](const auto& g) { return g.empty(); });
-    const bool cannot = kind.lines.front().name.starts_with("brow") && !moves_brows(rig);
-    if (!can && !cannot) continue;
+    const auto meant = artist.meant(kind);
+    if (!meant) continue;
     ++number;
     std::vector<const char*> hands{"tremor_1", "tremor_2", "uneven", "ends", "backwards"};
     if (extent == Extent::brief) hands = {hands[number % hands.size()]};
     for (const char* called : hands) {
-      Gesture gesture;
-      gesture.asked.name = kind.name + "/" + called;
-      gesture.hand = called;
-      gesture.needed = meant.needed;
-      gesture.accepted = meant.accepted;
-      gesture.still_is_right = cannot;
-      if (cannot) gesture.needed.clear();
-      for (const GestureKind::Line& line : kind.lines) {
-        const auto& vertices = rig.line(line.name)->vertices;
-        std::vector<PxPoint> towards;
-        if (!line.towards.empty()) towards = resampled(flat(line.towards), vertices.size());
-        const auto drawn = drawn_by(hand_named(called), bent(line, flat(line.name), towards, middle, half),
-                                    seed_of(rig.name, gesture.asked.name + line.name));
-        gesture.asked.references.push_back({line.name, vertices, picture.in_space(drawn, rest, vertices), {}});
-      }
+      Gesture gesture = *meant;
+      artist.draw(gesture, kind, hand_named(called), kind.name + "/" + called);
       all.push_back(std::move(gesture));
     }
   }

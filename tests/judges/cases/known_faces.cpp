@@ -106,11 +106,12 @@ rig::Pose pose_of(const rig::Rig& rig, const std::vector<std::pair<std::string, 
 
 std::vector<KnownFace> known_faces(const Rig& rig, Extent extent) {
   const Artist artist(rig);
+  const double front = rig.model.front_yaw_degrees;
   std::vector<KnownFace> faces;
   std::size_t number = 0;
   for (const KnownPose& pose : rig.poses) {
     constexpr std::array<double, 6> k_yaws{0, 0, 20, 0, -15, 30};
-    const double yaw = k_yaws[seed_of(rig.name, pose.name) % k_yaws.size()];
+    const double yaw = front + k_yaws[seed_of(rig.name, pose.name) % k_yaws.size()];
     const auto values = artist.shown(pose, Picture(yaw, artist.size));
     const rig::Pose truth = pose_of(*rig.model.rig, values);
     const auto lines = artist.moved(posed(rig.model, truth), Picture(yaw, artist.size));
@@ -126,7 +127,7 @@ std::vector<KnownFace> known_faces(const Rig& rig, Extent extent) {
     for (const char* hand : {"tremor_1", "tremor_2", "uneven", "backwards"}) {
       if (extent == Extent::brief && (hand[0] == 'u' || hand[7] == '2')) continue;
       faces.push_back(
-          artist.draw("still_" + lines.front(), lines, hand_named(hand), rig::rest_pose(*rig.model.rig), 0));
+          artist.draw("still_" + lines.front(), lines, hand_named(hand), rig::rest_pose(*rig.model.rig), front));
     }
   }
   return faces;

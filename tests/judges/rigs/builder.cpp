@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/math.h"
 #include "core/geometry/rotation.h"
 #include "core/rig/character_rig.h"
 #include "tests/judges/rigs/control_words.h"
@@ -36,19 +37,28 @@ FaceBuilder::FaceBuilder(std::string name, std::string kind, Group group, const 
   influences_.resize(parts.rest().size());
 }
 
-void FaceBuilder::shape(std::string name, const Recipe& recipe, std::optional<Means> means) {
-  Field field(parts_.rest().size(), ModelVector{0});
-  for (const auto& [muscle, amount] : recipe) add_to(field, amount, parts_.field(muscle));
-  double most = 0;
-  for (const auto& [muscle, amount] : recipe) most = std::max(most, std::abs(amount));
+std::optional<std::string> FaceBuilder::add_shape(std::string name, Recipe recipe, std::optional<Means> means) {
+  const auto strongest = [&] {
+    double most = 0;
+    for (const auto& [muscle, amount] : recipe) most = std::max(most, std::abs(amount));
+    return most;
+  };
   if (!means) {
     means.emplace();
     for (const auto& [muscle, amount] : recipe) {
-      if (std::abs(amount) >= 0.5 * most) means->push_back(muscle);
+      if (std::abs(amount) >= 0.5 * strongest()) means->push_back(muscle);
     }
   }
+  if (maker_ && !maker_(name, recipe)) return {};
+  Field field(parts_.rest().size(), ModelVector{0});
+  for (const auto& [muscle, amount] : recipe) add_to(field, amount, parts_.field(muscle));
   shapes_.push_back(baked(name, field));
-  acts_.push_back({std::move(name), std::move(*means), 1 / most});
+  acts_.push_back({{{name, 1 / strongest()}}, std::move(*means)});
+  return name;
+}
+
+void FaceBuilder::shape(std::string name, const Recipe& recipe, std::optional<Means> means) {
+  add_shape(std::move(name), recipe, std::move(means));
 }
 
 void FaceBuilder::sides(const std::string& name, const Recipe& recipe) { sides(name, "_L", "_R", "", recipe); }
@@ -64,20 +74,32 @@ void FaceBuilder::sides(const std::string& before, const std::string& left, cons
 }
 
 void FaceBuilder::emote(std::string name, const Recipe& recipe) {
-  pose("emote_" + name, {{name, 0.8}});
-  shape(std::move(name), recipe, Means{});
+  if (const auto made = add_shape(std::move(name), recipe, Means{})) pose("emote_" + *made, {{*made, 0.8}});
 }
 
 std::size_t FaceBuilder::joint(std::string name, std::int32_t parent, const ModelPoint& at, double degrees) {
+  return this->joint(std::move(name), parent, at, degrees, {1, 0, 0, 0});
+}
+
+std::size_t FaceBuilder::joint(std::string name, std::int32_t parent, const ModelPoint& at, double degrees,
+                               const glm::dquat& frame) {
+  const glm::dquat to_own = glm::conjugate(frame);
   rig::Joint joint;
   joint.name = std::move(name);
   joint.parent = parent;
-  joint.translation = parent < 0 ? at : at - joint_places_[static_cast<std::size_t>(parent)];
-  joint.inverse_bind = geometry::compose(-at, {1, 0, 0, 0}, {1, 1, 1});
+  joint.translation = at;
+  joint.rest_rotation = frame;
+  if (parent >= 0) {
+    const auto above = static_cast<std::size_t>(parent);
+    joint.translation = glm::conjugate(joint_frames_[above]) * (at - joint_places_[above]);
+    joint.rest_rotation = glm::conjugate(joint_frames_[above]) * frame;
+  }
+  joint.inverse_bind = geometry::compose(-(to_own * at), to_own, {1, 1, 1});
   joint.maximum = glm::dvec3(degrees * 3.14159265358979323846 / 180);
   joint.minimum = -joint.maximum;
   joints_.push_back(std::move(joint));
   joint_places_.push_back(at);
+  joint_frames_.push_back(frame);
   return joints_.size() - 1;
 }
 
@@ -91,12 +113,26 @@ void FaceBuilder::carry(std::size_t joint, std::span<const double> share) {
 }
 
 void FaceBuilder::turn_means(std::string parameter, double at_most, Means muscles) {
-  acts_.push_back({std::move(parameter), std::move(muscles), at_most});
+  turns_mean({{std::move(parameter), at_most}}, std::move(muscles));
 }
 
-void FaceBuilder::pose(std::string name, std::vector<std::pair<std::string, double>> values) {
-  rig_.poses.push_back({std::move(name), std::move(values)});
+void FaceBuilder::turns_mean(Values at_most, Means muscles) {
+  acts_.push_back({std::move(at_most), std::move(muscles)});
 }
+
+Values FaceBuilder::turned_about(std::size_t joint, const ModelVector& axis, double angle) const {
+  const ModelVector own = glm::conjugate(joint_frames_[joint]) * geometry::normalized(axis);
+  const glm::dquat turn(base::cos(0.5 * angle), own * base::sin(0.5 * angle));
+  const glm::dvec3 angles = geometry::xyz_from_quaternion(turn);
+  const std::string& name = joints_[joint].name;
+  Values values;
+  for (const auto& [end, value] : {std::pair{".rx", angles.x}, {".ry", angles.y}, {".rz", angles.z}}) {
+    if (std::abs(value) > 1e-6) values.emplace_back(name + end, value);
+  }
+  return values;
+}
+
+void FaceBuilder::pose(std::string name, Values values) { rig_.poses.push_back({std::move(name), std::move(values)}); }
 
 void FaceBuilder::add_expressions() {
   std::vector<KnownPose> known;
@@ -115,8 +151,16 @@ void FaceBuilder::add_expressions() {
         if (fits && (!best || act.means.size() < best->means.size())) best = &act;
       }
       if (!best) break;
-      const double value = amount * best->at_one;
-      pose.values.emplace_back(best->parameter, best->at_one < 0 ? value : std::min(value, 1.0));
+      for (const auto& [parameter, at_most] : best->at_most) {
+        const double value = amount * at_most;
+        const auto same =
+            std::find_if(pose.values.begin(), pose.values.end(), [&](const auto& v) { return v.first == parameter; });
+        if (same != pose.values.end()) {
+          same->second += value;
+        } else {
+          pose.values.emplace_back(parameter, at_most < 0 ? value : std::min(value, 1.0));
+        }
+      }
       made.insert(made.end(), best->means.begin(), best->means.end());
     }
     if (made.size() == all.size()) known.push_back(std::move(pose));
@@ -128,13 +172,14 @@ void FaceBuilder::add_expressions() {
 Rig FaceBuilder::build() {
   add_expressions();
   for (const Act& act : acts_) {
-    const std::string control = control_of(act.parameter);
-    const auto known = std::find_if(rig_.meanings.begin(), rig_.meanings.end(),
-                                    [&](const Meaning& m) { return m.control == control; });
-    if (known == rig_.meanings.end()) {
-      rig_.meanings.push_back({control, act.means});
-    } else {
-      known->means.insert(known->means.end(), act.means.begin(), act.means.end());
+    for (const auto& [parameter, at_most] : act.at_most) {
+      const std::string control = control_of(parameter);
+      auto known = std::find_if(rig_.meanings.begin(), rig_.meanings.end(),
+                                [&](const Meaning& m) { return m.control == control; });
+      if (known == rig_.meanings.end()) known = rig_.meanings.insert(known, {control, {}});
+      for (const std::string& muscle : act.means) {
+        if (!has(known->means, muscle)) known->means.push_back(muscle);
+      }
     }
   }
   std::shared_ptr<const rig::BlendShapes> shapes;
