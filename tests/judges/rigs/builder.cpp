@@ -49,7 +49,7 @@ std::optional<std::string> FaceBuilder::add_shape(std::string name, Recipe recip
       if (std::abs(amount) >= 0.5 * strongest()) means->push_back(muscle);
     }
   }
-  if (maker_ && !maker_(name, recipe)) return {};
+  if (maker_ && !maker_(name, recipe, *means)) return {};
   Field field(parts_.rest().size(), ModelVector{0});
   for (const auto& [muscle, amount] : recipe) add_to(field, amount, parts_.field(muscle));
   shapes_.push_back(baked(name, field));

@@ -30,8 +30,8 @@ class FaceBuilder {
     Values at_most;
     Means means;
   };
-  /// May give a shape another name and another recipe; false leaves it out. What the shape stands for stays.
-  using Maker = std::function<bool(std::string& name, Recipe& recipe)>;
+  /// May give a shape another name, another recipe and fewer things that it stands for; false leaves it out.
+  using Maker = std::function<bool(std::string& name, Recipe& recipe, Means& means)>;
 
   FaceBuilder(std::string name, std::string kind, Group group, const Parts& parts);
 

@@ -51,7 +51,7 @@ Where proportions(const Parts& parts, Dice dice) {
   const Landmarks marks = landmarks_of(parts);
   const double w = marks.mouth_w;
   std::vector<Swell> swells;
-  const double eye = dice.chance(0.3) ? dice.real(0.2, 0.6) : dice.real(-0.2, 0.2);
+  const double eye = dice.chance(0.35) ? dice.real(0.2, 0.75) : dice.real(-0.25, 0.2);
   const double tall = dice.real(-0.1, 0.2);
   const double apart = dice.real(-0.1, 0.12) * marks.eye;
   const double crooked = dice.chance(0.6) ? dice.real(0, 0.05) : 0;
@@ -61,7 +61,7 @@ Where proportions(const Parts& parts, Dice dice) {
     swells.push_back({marks.eyes[side], ModelVector{1.5, 1.6, 2.5} * marks.eye, ModelVector{own, own + tall, 0.1 * own},
                       ModelVector{out * apart, out * crooked * 0.5 * marks.eye, 0}});
   }
-  const double mouth = dice.chance(0.3) ? dice.real(-0.35, -0.15) : dice.real(-0.15, 0.3);
+  const double mouth = dice.chance(0.35) ? dice.real(-0.45, -0.15) : dice.real(-0.15, 0.4);
   swells.push_back({marks.mouth,
                     ModelVector{1.9, 1.3, 2.2} * w,
                     {mouth, mouth * dice.real(0.2, 1), 0},
@@ -70,7 +70,7 @@ Where proportions(const Parts& parts, Dice dice) {
     const ModelPoint muzzle = (marks.mouth + marks.nose) * 0.5;
     swells.push_back({muzzle, ModelVector{1.7, 1.5, 2.5} * w, {-0.1, 0, 0}, {0, 0, dice.real(0.3, 1.3) * w}});
   }
-  const ModelVector stretch{dice.about_one(0.12), dice.about_one(0.12), dice.about_one(0.12)};
+  const ModelVector stretch{dice.about_one(0.15), dice.about_one(0.15), dice.about_one(0.15)};
   const double jaw_width = dice.real(-0.15, 0.18);
   const double jaw_length = dice.real(-0.3, 0.35) * w;
   const double forehead = dice.real(-0.12, 0.2);

@@ -6,6 +6,7 @@
 
 #include "core/base/math.h"
 #include "core/geometry/rotation.h"
+#include "tests/judges/rigs/control_words.h"
 #include "tests/judges/rigs/random/faces.h"
 #include "tests/judges/rigs/random/joints.h"
 #include "tests/judges/rigs/random/random_parts.h"
@@ -101,15 +102,14 @@ Rig random_rig(std::uint64_t seed) {
   FaceBuilder face("random_" + std::to_string(seed), "", Group::seen, parts);
   const Taste taste(parts, dice);
   const Means lacks = lacking(plan, parts, dice);
-  face.made_by([&](std::string& name, Recipe& recipe) {
+  face.made_by([&](std::string& name, Recipe& recipe, Means& means) {
     const auto strongest = std::max_element(recipe.begin(), recipe.end(), [](const auto& a, const auto& b) {
       return std::abs(a.second) < std::abs(b.second);
     });
-    if (strongest == recipe.end() || std::find(lacks.begin(), lacks.end(), strongest->first) != lacks.end())
-      return false;
+    if (strongest == recipe.end() || has(lacks, strongest->first)) return false;
     if (!taste.make(recipe)) return false;
-    std::erase_if(recipe,
-                  [&](const auto& part) { return std::find(lacks.begin(), lacks.end(), part.first) != lacks.end(); });
+    std::erase_if(recipe, [&](const auto& part) { return has(lacks, part.first); });
+    std::erase_if(means, [&](const std::string& muscle) { return has(lacks, muscle); });
     name = names.unique(name);
     return true;
   });
@@ -117,7 +117,9 @@ Rig random_rig(std::uint64_t seed) {
     add_random_joints(face, plain, marks, body, plan, names, dice, placed,
                       [&](const ModelVector& d) { return placement.way(d); });
   }
-  const std::string shapes = add_random_shapes(face, parts, names, dice);
+  const std::size_t turns = face.acts().size();
+  std::string shapes = add_random_shapes(face, parts, names, dice);
+  if (face.acts().size() == turns) shapes = "no shapes";
   Dice poses = dice.about("poses");
   add_random_poses(face, poses, poses.count(10, 15));
   Rig rig = face.build();

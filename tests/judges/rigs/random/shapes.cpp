@@ -156,7 +156,10 @@ void add_sums(Planned& planned, Dice dice, std::size_t count) {
       if (muscle.back() == '_' && side != 1) recipe.emplace_back(muscle + "L", amount);
       if (muscle.back() == '_' && side != 0) recipe.emplace_back(muscle + "R", amount);
     }
-    planned.shape(a + b + (side == 0 ? "_L" : side == 1 ? "_R" : ""), std::move(recipe));
+    const auto word = [](const std::string& muscle) {
+      return muscle.back() == '_' ? muscle.substr(0, muscle.size() - 1) : muscle;
+    };
+    planned.shape(word(a) + "_" + word(b) + (side == 0 ? "_L" : side == 1 ? "_R" : ""), std::move(recipe));
   }
 }
 
@@ -190,7 +193,7 @@ std::string add_random_shapes(FaceBuilder& face, const Parts& parts, Names& name
     for (const auto& [name, recipe] : random_faces(dice, vrm)) planned.emote(name, recipe);
   }
   if (many || own.chance(0.25)) add_halves_of(planned, dice.about("halves"));
-  if (many || own.chance(0.3)) add_sums(planned, dice.about("sums"), many ? own.count(40, 110) : own.count(2, 12));
+  if (many || own.chance(0.3)) add_sums(planned, dice.about("sums"), many ? own.count(50, 150) : own.count(2, 12));
   for (std::size_t k = 0; k < corrections_of(dice); ++k)
     planned.shape("corrective" + std::to_string(k), {{"fix_" + std::to_string(k), 1}}, Means{});
   if (own.chance(0.4)) {

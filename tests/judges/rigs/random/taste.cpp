@@ -43,7 +43,7 @@ bool Taste::make(Recipe& recipe) const {
     if (!parts_.fields.contains(muscle)) return false;
   }
   std::string key;
-  for (const auto& [muscle, amount] : recipe) key += is_paired(muscle) ? without_side(muscle) : muscle;
+  for (const auto& [muscle, amount] : recipe) key += without_side(muscle);
   Dice own = dice_.about(key);
   if (own.chance(lacks_)) return false;
   const std::string first = without_side(recipe.front().first);
