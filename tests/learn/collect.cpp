@@ -6,6 +6,7 @@
 #include "core/tracking/case_problem.h"
 #include "tests/judges/cases/gestures.h"
 #include "tests/judges/cases/known_faces.h"
+#include "tests/judges/cases/random_gestures.h"
 #include "tests/judges/measures/gesture_judge.h"
 #include "tests/judges/rigs/control_words.h"
 
@@ -16,6 +17,12 @@ using judges::Outcome;
 
 /// Readings at most that a case keeps from earlier rounds.
 constexpr std::size_t k_kept = 40;
+/// Readings of a known face are right that are no farther off than the best by this, per cent of its movement.
+constexpr double k_as_good = 10.0;
+/// Known faces are more than gestures.
+constexpr double k_weight_of_known = 0.4;
+/// Gestures made by lot of a rig made by lot.
+constexpr std::size_t k_random_gestures = 60;
 
 /// Reads the cases of a rig.
 class Reads {
@@ -75,7 +82,8 @@ std::vector<std::size_t> parameters_of(const document::Model& model, const std::
 
 void collect_gestures(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known,
                       std::vector<LearnCase>& out) {
-  const auto cases = judges::gestures(rig, judges::Extent::whole);
+  auto cases = rig.name.starts_with("random") ? judges::random_gestures(rig, 1, k_random_gestures)
+                                             : judges::gestures(rig, judges::Extent::whole);
   const io::CaseFile file = judges::file_of(cases);
   Reads reads(rig.model, file, weights);
   const judges::WholeFace face(rig.model, file);
@@ -103,6 +111,8 @@ void collect_known_faces(const judges::Rig& rig, const inference::Weights& weigh
   Reads reads(rig.model, file, weights);
   const judges::WholeFace face(rig.model, file);
   for (const judges::KnownFace& one : cases) {
+    // What nobody would show says nothing of what is meant.
+    if (one.asked.name.starts_with("random")) continue;
     std::vector<std::size_t> allowed;
     for (std::size_t i = 0; i < one.truth.size(); ++i) {
       if (one.truth[i] != rig.model.rig->parameters()[i].rest) allowed.push_back(i);
@@ -110,7 +120,7 @@ void collect_known_faces(const judges::Rig& rig, const inference::Weights& weigh
     LearnCase made;
     made.rig = rig.name;
     made.name = "known " + one.asked.name;
-    made.weight = 1;
+    made.weight = k_weight_of_known;
     const auto truth = face.moved(one.truth);
     std::vector<double> errors;
     for (const auto& reading : reads.read(one.asked, allowed, known[made.name])) {
@@ -125,7 +135,7 @@ void collect_known_faces(const judges::Rig& rig, const inference::Weights& weigh
     const double least = *std::min_element(errors.begin(), errors.end());
     // Where even the best is far off, nothing of it says what is right.
     if (least > 50.0) continue;
-    for (std::size_t i = 0; i < errors.size(); ++i) made.candidates[i].right = errors[i] <= 1.25 * least + 1.0;
+    for (std::size_t i = 0; i < errors.size(); ++i) made.candidates[i].right = errors[i] <= least + k_as_good;
     out.push_back(std::move(made));
   }
 }

@@ -12,49 +12,71 @@ namespace {
 using inference::k_term_count;
 using inference::Terms;
 
-/// The loss of a case, and its first and second derivatives by the weights.
+/// So many labels are wrong, as a share: no case, however unlikely, pulls more than that.
+constexpr double k_mislabelled = 0.02;
+
+/// The first derivatives of the loss by the weights, and a positive bound of the second.
 struct Slope {
-  double loss = 0;
   std::vector<double> first = std::vector<double>(k_term_count, 0.0);
   std::vector<double> second = std::vector<double>(k_term_count * k_term_count, 0.0);
 };
 
-/// Adds log of the sum of exp(-E) over candidates, times `sign`.
-double add_log_sum(const LearnCase& one, const Terms& by, bool right_only, double sign, double least, Slope* slope) {
-  double sum = 0;
-  std::vector<double> mean(k_term_count, 0.0);
-  std::vector<double> p(one.candidates.size(), 0.0);
-  for (std::size_t i = 0; i < one.candidates.size(); ++i) {
-    if (right_only && !one.candidates[i].right) continue;
-    p[i] = base::exp(least - by.dot(one.candidates[i].terms));
-    sum += p[i];
-  }
-  if (slope != nullptr) {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      p[i] /= sum;
-      for (std::size_t k = 0; k < k_term_count; ++k) mean[k] += p[i] * one.candidates[i].terms.values()[k];
-    }
-    const double by_weight = sign * one.weight;
-    for (std::size_t k = 0; k < k_term_count; ++k) slope->first[k] -= by_weight * mean[k];
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p[i] < 1e-12) continue;
-      for (std::size_t k = 0; k < k_term_count; ++k) {
-        const double off = one.candidates[i].terms.values()[k] - mean[k];
-        if (off == 0.0) continue;
-        for (std::size_t m = 0; m <= k; ++m)
-          slope->second[k * k_term_count + m] += by_weight * p[i] * off * (one.candidates[i].terms.values()[m] - mean[m]);
-      }
-    }
-  }
-  return sign * (base::log(sum) - least);
-}
-
-double least_energy(const LearnCase& one, const Terms& by, bool right_only) {
+/// exp(-E) of each candidate, the largest being 1.
+std::vector<double> likelihoods(const LearnCase& one, const Terms& by) {
+  std::vector<double> p;
   double least = 1e300;
   for (const Candidate& c : one.candidates) {
-    if (!right_only || c.right) least = std::min(least, by.dot(c.terms));
+    p.push_back(by.dot(c.terms));
+    least = std::min(least, p.back());
   }
-  return least;
+  for (double& value : p) value = base::exp(least - value);
+  return p;
+}
+
+/// The probability that a right reading is meant.
+double probability_of_right(const LearnCase& one, const std::vector<double>& p) {
+  double right = 0, sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    sum += p[i];
+    if (one.candidates[i].right) right += p[i];
+  }
+  return right / sum;
+}
+
+double loss_of(const LearnCase& one, const std::vector<double>& p) {
+  return -base::log((1.0 - k_mislabelled) * probability_of_right(one, p) + k_mislabelled);
+}
+
+void add_slope(const LearnCase& one, const std::vector<double>& p, Slope& slope) {
+  const double right = probability_of_right(one, p);
+  const double by = one.weight * (1.0 - k_mislabelled) * right / ((1.0 - k_mislabelled) * right + k_mislabelled);
+  std::vector<double> all(k_term_count, 0.0), good(k_term_count, 0.0);
+  double sum = 0, sum_good = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto terms = one.candidates[i].terms.values();
+    sum += p[i];
+    if (one.candidates[i].right) sum_good += p[i];
+    for (std::size_t k = 0; k < k_term_count; ++k) {
+      all[k] += p[i] * terms[k];
+      if (one.candidates[i].right) good[k] += p[i] * terms[k];
+    }
+  }
+  for (std::size_t k = 0; k < k_term_count; ++k) {
+    all[k] /= sum;
+    if (sum_good > 0.0) good[k] /= sum_good;
+    slope.first[k] += by * (good[k] - all[k]);
+  }
+  // Of a difference of two convex functions the one that is subtracted is replaced by its tangent.
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double share = by * p[i] / sum;
+    if (share < 1e-9) continue;
+    const auto terms = one.candidates[i].terms.values();
+    for (std::size_t k = 0; k < k_term_count; ++k) {
+      const double off = terms[k] - all[k];
+      if (off == 0.0) continue;
+      for (std::size_t m = 0; m <= k; ++m) slope.second[k * k_term_count + m] += share * off * (terms[m] - all[m]);
+    }
+  }
 }
 
 bool tells(const LearnCase& one) {
@@ -67,8 +89,9 @@ double loss_of(const std::vector<LearnCase>& cases, const Terms& by, const Width
   double loss = 0;
   for (const LearnCase& one : cases) {
     if (!tells(one)) continue;
-    loss += one.weight * (add_log_sum(one, by, false, 1.0, least_energy(one, by, false), slope) +
-                          add_log_sum(one, by, true, -1.0, least_energy(one, by, true), slope));
+    const std::vector<double> p = likelihoods(one, by);
+    loss += one.weight * loss_of(one, p);
+    if (slope != nullptr) add_slope(one, p, *slope);
   }
   for (std::size_t k = 0; k < k_term_count; ++k) {
     const double width = widths.values()[k];
@@ -89,9 +112,10 @@ Score score(const std::vector<LearnCase>& cases, const Terms& by) {
   for (const LearnCase& one : cases) {
     if (std::none_of(one.candidates.begin(), one.candidates.end(), [](const Candidate& c) { return c.right; })) continue;
     ++out.of;
-    out.loss += add_log_sum(one, by, false, 1.0, least_energy(one, by, false), nullptr) +
-                add_log_sum(one, by, true, -1.0, least_energy(one, by, true), nullptr);
-    out.right += least_energy(one, by, true) <= least_energy(one, by, false) ? 1.0 : 0.0;
+    const std::vector<double> p = likelihoods(one, by);
+    out.loss += loss_of(one, p);
+    const auto best = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
+    out.right += one.candidates[best].right ? 1.0 : 0.0;
   }
   if (out.of > 0) {
     out.loss /= static_cast<double>(out.of);

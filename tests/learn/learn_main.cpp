@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/judges/rigs/random/random_rigs.h"
 #include "tests/judges/rigs/rig.h"
 #include "tests/learn/collect.h"
 #include "tests/support/parallel.h"
@@ -22,15 +23,23 @@ Widths widths_of() {
   Widths widths;
   for (std::size_t k = 0; k < k_term_count; ++k) widths.values()[k] = 8.0;
   widths[Term::evidence] = 0;
+  widths[Term::taught] = 0;
   widths[Term::leaning] = 0;
   widths[Term::one_end] = 0;
   return widths;
 }
 
-std::vector<LearnCase> without(const std::vector<LearnCase>& all, const std::string& rig, bool only) {
+/// Rigs made by lot.
+constexpr std::uint64_t k_random_rigs = 48;
+
+/// Rigs are left out in so many parts.
+constexpr std::size_t k_parts = 8;
+
+/// The cases of one part of the rigs, or of all others.
+std::vector<LearnCase> part_of(const std::vector<std::vector<LearnCase>>& of_rigs, std::size_t part, bool others) {
   std::vector<LearnCase> out;
-  for (const LearnCase& one : all) {
-    if ((one.rig == rig) == only) out.push_back(one);
+  for (std::size_t r = 0; r < of_rigs.size(); ++r) {
+    if ((r % k_parts == part) != others) out.insert(out.end(), of_rigs[r].begin(), of_rigs[r].end());
   }
   return out;
 }
@@ -62,6 +71,7 @@ int run(int rounds, const char* path) {
     rigs.push_back(maker.make());
     if (rigs.back().lines.empty()) rigs.pop_back();
   }
+  for (std::uint64_t seed = 1; seed <= k_random_rigs; ++seed) rigs.push_back(judges::random_rig(seed));
   std::vector<KnownReadings> known(rigs.size());
   inference::Weights weights = inference::learned_weights();
   if (const char* set = std::getenv("LEARN_SET")) {
@@ -89,12 +99,17 @@ int run(int rounds, const char* path) {
     print("as they are", score(all, weights.by));
     const Widths widths = widths_of();
     Score left;
-    for (const judges::Rig& rig : rigs) {
-      const Score one = score(without(all, rig.name, true), fit(without(all, rig.name, false), weights.by, widths));
+    std::vector<Terms> of_parts(k_parts);
+    tests::parallel_for(k_parts, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part)
+        of_parts[part] = fit(part_of(of_rigs, part, true), weights.by, widths);
+    });
+    for (std::size_t r = 0; r < rigs.size(); ++r) {
+      const Score one = score(of_rigs[r], of_parts[r % k_parts]);
       left.loss += one.loss * static_cast<double>(one.of);
       left.right += one.right * static_cast<double>(one.of);
       left.of += one.of;
-      print(rig.name.c_str(), one);
+      print(rigs[r].name.c_str(), one);
     }
     left.loss /= static_cast<double>(left.of);
     left.right /= static_cast<double>(left.of);

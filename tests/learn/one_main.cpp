@@ -1,34 +1,46 @@
-// temporary: prints readings of one case of a rig
+// temporary: prints lost cases of rigs
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
-#include "core/intent/solve.h"
-#include "core/tracking/case_problem.h"
-#include "tests/judges/cases/gestures.h"
-#include "tests/judges/cases/known_faces.h"
-#include "tests/judges/measures/gesture_judge.h"
-#include "tests/judges/rigs/control_words.h"
+#include "tests/judges/rigs/random/random_rigs.h"
 #include "tests/learn/collect.h"
+#include "tests/support/parallel.h"
 using namespace penpose;
-int main(int c, char** v) {
-  for (const judges::RigMaker& maker : judges::own_rigs()) {
-    if (maker.group != judges::Group::seen || std::string(v[1]) != maker.name) continue;
-    auto rig = maker.make();
-    learn::KnownReadings known;
-    std::string want = v[2];
-    for (auto& one : learn::collect(rig, inference::learned_weights(), known)) {
-      if (one.name.find(want) == std::string::npos) continue;
-      std::printf("== %s\n", one.name.c_str());
-      int n = 0;
-      auto w = inference::learned_weights().by;
-      auto list = one.candidates;
-      std::stable_sort(list.begin(), list.end(), [&](auto& a, auto& b) { return w.dot(a.terms) < w.dot(b.terms); });
-      for (auto& cand : list) {
-        if (n++ > (c > 3 ? std::stoi(v[3]) : 8)) break;
-        std::printf("%s %7.2f |", cand.right ? "RIGHT" : "wrong", w.dot(cand.terms));
-        for (std::size_t k = 0; k < inference::k_term_count; ++k)
-          if (cand.terms.values()[k] != 0) std::printf(" %s %.2f", inference::name_of(static_cast<inference::Term>(k)), w.values()[k]*cand.terms.values()[k]);
-        std::printf(" raw astray %.2f determined %.2f limit %.2f share %.2f || %s\n", cand.terms[inference::Term::astray], cand.terms[inference::Term::determined], cand.terms[inference::Term::limit], cand.terms[inference::Term::share], cand.note.c_str());
+int main(int, char** v) {
+  const int from = std::stoi(v[1]), to = std::stoi(v[2]);
+  std::vector<judges::Rig> rigs;
+  if (from == 0)
+    for (const judges::RigMaker& maker : judges::own_rigs())
+      if (maker.group == judges::Group::seen) { rigs.push_back(maker.make()); if (rigs.back().lines.empty()) rigs.pop_back(); }
+  for (int s = std::max(1, from); s <= to; ++s) rigs.push_back(judges::random_rig(s));
+  std::vector<std::string> out(rigs.size());
+  tests::parallel_for(rigs.size(), 0, [&](std::size_t b, std::size_t e) {
+    for (std::size_t r = b; r < e; ++r) {
+      learn::KnownReadings known;
+      const auto w = inference::learned_weights().by;
+      out[r] = "#### " + rigs[r].name + " " + rigs[r].kind + "\n";
+      for (auto& one : learn::collect(rigs[r], inference::learned_weights(), known)) {
+        auto list = one.candidates;
+        if (list.empty()) continue;
+        std::stable_sort(list.begin(), list.end(), [&](auto& a, auto& d) { return w.dot(a.terms) < w.dot(d.terms); });
+        if (list.front().right) continue;
+        auto right = std::find_if(list.begin(), list.end(), [](auto& x) { return x.right; });
+        out[r] += one.name + " | " + list.front().note.substr(0, 90) + " | ";
+        if (right == list.end()) { out[r] += "NONE\n"; continue; }
+        out[r] += right->note.substr(0, 90) + " |";
+        char buf[99];
+        std::snprintf(buf, 99, " %+.1f:", w.dot(right->terms) - w.dot(list.front().terms)); out[r] += buf;
+        for (std::size_t k = 0; k < inference::k_term_count; ++k) {
+          const double d = right->terms.values()[k] - list.front().terms.values()[k];
+          const double wd = d * w.values()[k];
+          if (std::abs(wd) < 0.5 && !(w.values()[k] == 0 && std::abs(d) > 0.3)) continue;
+          std::snprintf(buf, 99, " %s %+.1f", inference::name_of(static_cast<inference::Term>(k)), w.values()[k] == 0 ? d : wd); out[r] += buf;
+          if (w.values()[k] == 0) out[r] += "*";
+        }
+        out[r] += "\n";
       }
     }
-  }
+  });
+  for (auto& o : out) std::fputs(o.c_str(), stdout);
 }

@@ -189,6 +189,7 @@ class Reader final : public Relations {
     std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
     double distant_square = 0;               ///< far from the curves
+    double mirrored_square = 0;              ///< near the mirror image of the curves alone
     double apart_square = 0, own_square = 0;  ///< of pieces without lines, and of those with lines
     double usual_way = 0;                    ///< of the control, model units
   };
@@ -202,8 +203,8 @@ class Reader final : public Relations {
   /// for the head.
   [[nodiscard]] bool spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const;
   void group_curves();
-  /// The samples within a share of its extent of a drawn or known curve, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> samples_within(double share) const;
+  /// The samples within a share of its extent of a drawn or known curve, or of its mirror image, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> samples_within(double share, bool mirrored = false) const;
   void measure_fields();
   /// The pieces of the mesh that lines are drawn on, ascending.
   [[nodiscard]] std::vector<std::uint32_t> drawn_pieces() const;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "core/algebra/vectors.h"
 #include "core/base/math.h"
@@ -97,11 +98,16 @@ void Reader::measure_groups() {
   }
 }
 
-std::vector<std::uint32_t> Reader::samples_within(double share) const {
+std::vector<std::uint32_t> Reader::samples_within(double share, bool mirrored) const {
+  geometry::Box model;
+  for (const ModelPoint& at : whole_.fields->places()) model.add(at);
   const std::span<const ModelPoint> places = whole_.fields->places();
   std::vector<bool> is_near(places.size(), false);
   const auto mark = [&](std::span<const posing::CurvePoint> reference) {
-    const std::vector<ModelPoint> points = at_rest(reference);
+    std::vector<ModelPoint> points = at_rest(reference);
+    if (mirrored) {
+      for (ModelPoint& p : points) p.x = 2.0 * model.center().x - p.x;
+    }
     geometry::Box box;
     for (const ModelPoint& p : points) box.add(p);
     const double far = share * box.diagonal();
@@ -141,6 +147,9 @@ void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_within(weights_.near);
   const std::vector<std::uint32_t> not_far = samples_within(weights_.far);
+  std::vector<std::uint32_t> mirrored;
+  const std::vector<std::uint32_t> images = samples_within(weights_.near, true);
+  std::set_difference(images.begin(), images.end(), near.begin(), near.end(), std::back_inserter(mirrored));
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -159,10 +168,12 @@ void Reader::measure_fields() {
     double whole = 0;
     double usual = 0;
     std::vector<ModelVector> around(not_far.size(), ModelVector{0});
+    std::vector<ModelVector> opposite(mirrored.size(), ModelVector{0});
     for (std::size_t k = 0; k < count; ++k) {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
       for (std::size_t i = 0; i < not_far.size(); ++i) around[i] += field[not_far[i]] * by[k];
+      for (std::size_t i = 0; i < mirrored.size(); ++i) opposite[i] += field[mirrored[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
@@ -173,6 +184,7 @@ void Reader::measure_fields() {
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
+    for (const ModelVector& way : opposite) one.mirrored_square += square_of(way);
     one.distant_square = whole;
     for (const ModelVector& way : around) one.distant_square -= square_of(way);
     one.distant_square = std::max(0.0, one.distant_square);
@@ -315,12 +327,13 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, far = 0, distant = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, far = 0, distant = 0, mirrored = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
     far += fields_[v].far_square;
     distant += fields_[v].distant_square;
+    mirrored += fields_[v].mirrored_square;
     apart += fields_[v].apart_square;
     own += fields_[v].own_square;
     usual = std::max(usual, fields_[v].usual_way);
@@ -333,6 +346,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   terms[Term::unit] = 1.0;
   terms[Term::elsewhere] = base::log(1.0 + elsewhere);
   terms[Term::distant] = base::log(1.0 + (near > 0.0 ? distant / near : k_no_share));
+  terms[Term::mirrored] = base::log(1.0 + (near > 0.0 ? mirrored / near : 0.0));
   terms[Term::apart] = base::log(1.0 + (own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
   terms[Term::fringe] = base::log(fringe);
