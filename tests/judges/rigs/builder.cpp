@@ -153,8 +153,8 @@ void FaceBuilder::add_expressions() {
       if (!best) break;
       for (const auto& [parameter, at_most] : best->at_most) {
         const double value = amount * at_most;
-        const auto same =
-            std::find_if(pose.values.begin(), pose.values.end(), [&](const auto& v) { return v.first == parameter; });
+        const auto same = std::find_if(pose.values.begin(), pose.values.end(),
+                                       [&called = parameter](const auto& v) { return v.first == called; });
         if (same != pose.values.end()) {
           same->second += value;
         } else {

@@ -38,7 +38,10 @@ class Thinning {
     }
   }
 
-  void to(std::size_t count) {
+  /// `share` of the vertices that may go stay.
+  void to(double share) {
+    const auto may_go = static_cast<double>(std::count(stays_.begin(), stays_.end(), false));
+    const std::size_t count = left_ - static_cast<std::size_t>((1 - share) * may_go);
     for (int pass = 0; pass < 8 && left_ > count; ++pass) {
       const std::size_t before = left_;
       for (const auto& [length, from, into] : shortest_first()) {
@@ -132,7 +135,7 @@ class Thinning {
 Parts thinned(const Parts& parts, double share) {
   Thinning thin(parts);
   const std::size_t count = parts.rest().size();
-  thin.to(static_cast<std::size_t>(share * static_cast<double>(count)));
+  thin.to(share);
   std::vector<std::uint32_t> renumbered(count, k_gone);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t v = 0; v < count; ++v) {

@@ -4,8 +4,8 @@
 
 namespace penpose::judges {
 
-/// The same face of about this share of its vertices: short edges are drawn together. Vertices of lines, of rims and of
-/// eyes stay, and with them what is between lips and lids.
+/// The same face of fewer vertices: short edges are drawn together. Vertices of lines, of rims and of eyes stay, of
+/// others this share.
 [[nodiscard]] Parts thinned(const Parts& parts, double share);
 
 }  // namespace penpose::judges

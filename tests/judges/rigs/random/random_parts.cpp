@@ -70,8 +70,8 @@ Where proportions(const Parts& parts, Dice dice) {
     const ModelPoint muzzle = (marks.mouth + marks.nose) * 0.5;
     swells.push_back({muzzle, ModelVector{1.7, 1.5, 2.5} * w, {-0.1, 0, 0}, {0, 0, dice.real(0.3, 1.3) * w}});
   }
-  const ModelVector stretch{dice.about_one(0.15), dice.about_one(0.15), dice.about_one(0.15)};
-  const double jaw_width = dice.real(-0.15, 0.18);
+  const ModelVector stretch{dice.about_one(0.2), dice.about_one(0.2), dice.about_one(0.15)};
+  const double jaw_width = dice.real(-0.25, 0.25);
   const double jaw_length = dice.real(-0.3, 0.35) * w;
   const double forehead = dice.real(-0.12, 0.2);
   const double brow = dice.real(-0.05, 0.15) * w;
@@ -208,7 +208,7 @@ Parts random_parts(const Dice& dice) {
   add_halves(parts);
   add_nonsense(parts);
   parts = reshaped(parts, proportions(parts, dice.about("proportions")));
-  if (own.chance(0.5) && parts.rest().size() > 1500) parts = thinned(parts, own.real(0.15, 0.8));
+  if (own.chance(0.5) && parts.rest().size() > 1500) parts = thinned(parts, own.real(0.12, 0.8));
   vary_muscles(parts, dice.about("muscles"));
   return parts;
 }
