@@ -13,9 +13,9 @@ enum class Term : std::uint8_t {
   evidence,    ///< what the pose leaves of the lines, as -log of its likelihood (Student's t)
   unit,        ///< units that move
   elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
-  distant,     ///< log(1 + what a unit moves far from the lines over what it moves near them, both squared)
+  distant,     ///< log(1 + (largest way far from the lines over the largest near them) squared)
   mirrored,    ///< log(1 + what a unit moves at the mirror image of the lines over what it moves near them, both squared)
-  apart,       ///< log(1 + what a unit moves of other pieces of the mesh over what it moves of those with lines, squared)
+  apart,       ///< log(largest way of other pieces of the mesh over that of the pieces with lines), at least 0
   faint,       ///< log(usual way of the control that moves most / a unit's own)
   fringe,      ///< log(usual way of a unit's field / largest way of the lines)
   carried,     ///< of joints: elsewhere beyond what any joint carries

@@ -72,20 +72,37 @@ Contacts contacts_of(const rig::Rig& rig, std::span<const ModelPoint> rest, cons
   return contacts;
 }
 
+/// See WholeModel::farthest.
+std::vector<std::vector<std::uint32_t>> farthest_samples(const ControlFields& fields) {
+  std::vector<std::vector<std::uint32_t>> out(fields.control_count());
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    if (!(fields.square(p) > 0.0)) continue;
+    const auto field = fields.field(p);
+    for (std::uint32_t i = 0; i < field.size(); ++i) {
+      if (square_of(field[i]) > 0.0) out[p].push_back(i);
+    }
+    std::stable_sort(out[p].begin(), out[p].end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return square_of(field[a]) > square_of(field[b]); });
+  }
+  return out;
+}
+
 /// See WholeModel::by_piece.
-std::vector<std::vector<WholeModel::OfPiece>> squares_by_piece(const ControlFields& fields,
+std::vector<std::vector<WholeModel::OfPiece>> ways_by_piece(const ControlFields& fields,
                                                                std::span<const std::uint32_t> pieces) {
   std::vector<std::vector<WholeModel::OfPiece>> out(fields.control_count());
   const auto samples = fields.samples();
   for (std::size_t p = 0; p < out.size(); ++p) {
     if (!(fields.square(p) > 0.0)) continue;
-    std::map<std::uint32_t, double> sums;
+    std::map<std::uint32_t, double> most;
     const auto field = fields.field(p);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double square = square_of(field[i]);
-      if (square > 0.0) sums[pieces.empty() ? 0 : pieces[samples[i]]] += square;
+      if (!(square > 0.0)) continue;
+      double& way = most[pieces.empty() ? 0 : pieces[samples[i]]];
+      way = std::max(way, std::sqrt(square));
     }
-    for (const auto& [piece, square] : sums) out[p].push_back({piece, square});
+    for (const auto& [piece, way] : most) out[p].push_back({piece, way});
   }
   return out;
 }
@@ -159,7 +176,8 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   for (std::size_t p = 0; p < d; ++p) shapes[p] = whole.joint[p] == k_no_partner && whole.movement[p] > 0.0;
   whole.composites = composites_of(fields, shapes);
   whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
-  whole.by_piece = squares_by_piece(fields, whole.pieces);
+  whole.farthest = farthest_samples(fields);
+  whole.by_piece = ways_by_piece(fields, whole.pieces);
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));

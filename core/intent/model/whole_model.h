@@ -41,12 +41,14 @@ struct WholeModel {
   std::vector<Composite> composites;
   /// One a vertex: the connected piece of the mesh that it belongs to; empty: unknown.
   std::vector<std::uint32_t> pieces;
-  /// For each control: of each piece that it moves, ascending, the sum of the squares of its field there.
+  /// For each control: of each piece that it moves, ascending, the largest way of its field there.
   struct OfPiece {
     std::uint32_t piece = 0;
-    double square = 0;
+    double way = 0;  ///< model units; of a joint's angle for a radian
   };
   std::vector<std::vector<OfPiece>> by_piece;
+  /// For each control: the samples that it moves, the farthest first (numbers of ControlFields::samples).
+  std::vector<std::vector<std::uint32_t>> farthest;
   /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.
   std::vector<double> joint_extents;
   /// Its vertices at rest.

@@ -15,8 +15,8 @@ namespace {
 constexpr double k_some_way = 0.85;
 /// Other readings are matched on their own before one is taken: so many of each round, within this of the best energy.
 /// A line is read in full as aligned in another way where a first look comes as near.
-constexpr std::size_t k_rivals = 3;
-constexpr double k_window = 6.0;
+constexpr std::size_t k_rivals = 8;
+constexpr double k_window = 8.0;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2, k_general_matches = 4;
 /// A window that leaves nothing out.

@@ -26,12 +26,9 @@ inline constexpr double k_reach = 150.0;
 /// problem must outlive it. One object for each thread.
 class Reader final : public Relations {
  public:
-  /// Precondition: check_problem passed. Where nothing but joints that carry more than was drawn could follow the
-  /// lines, those joints are meant, whatever the lines span.
-  [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                                 const inference::Weights& weights = inference::learned_weights());
-  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const inference::Weights& weights,
-         bool any_span);
+  /// Precondition: check_problem passed.
+  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+         const inference::Weights& weights = inference::learned_weights());
 
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const Costs& costs() const { return costs_; }
@@ -188,9 +185,9 @@ class Reader final : public Relations {
     double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
-    double distant_square = 0;               ///< far from the curves
+    double near_way = 0, distant_way = 0;    ///< the largest there, and far from the curves
     double mirrored_square = 0;              ///< near the mirror image of the curves alone
-    double apart_square = 0, own_square = 0;  ///< of pieces without lines, and of those with lines
+    double apart_way = 0, own_way = 0;       ///< the largest of pieces without lines, and of those with lines
     double usual_way = 0;                    ///< of the control, model units
   };
   struct Relation {
@@ -215,8 +212,6 @@ class Reader final : public Relations {
   [[nodiscard]] bool turns_joint(std::size_t variable, std::size_t turn) const;
   /// Whether a unit is a joint that carries much more than what was drawn.
   [[nodiscard]] bool carries_more(const Unit& unit) const;
-  /// Whether anything but such joints can follow the lines.
-  [[nodiscard]] bool others_follow() const;
   // Both sides of a face (reader_symmetry.cpp).
   /// Pairs the points of drawn curves with their mirror images about the model's middle, and finds how far the lines
   /// ask for the same on both sides.
@@ -233,8 +228,6 @@ class Reader final : public Relations {
   void add_joint_pair(std::size_t first);
   /// Curves that tell of controls: all but those that have to stay.
   [[nodiscard]] std::size_t told_count() const { return problem_.drawn.size() + problem_.known.size(); }
-  /// How far a line lies from a curve, root mean square over its points to the nearest place of the curve, px.
-  [[nodiscard]] static double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line);
   // Turns of joints about their own axes (reader_joints.cpp).
   void find_chain();
   void make_turns();
@@ -272,7 +265,6 @@ class Reader final : public Relations {
   const WholeModel& whole_;
   const IntentProblem& problem_;
   std::vector<KnownCurve> still_;  ///< what corrections do not touch
-  bool any_span_ = false;          ///< a line need not span what its joints carry
   Costs costs_;
   const inference::Weights& weights_;
   Doubt doubt_;

@@ -17,8 +17,6 @@ namespace {
 
 /// Where nothing was moved at all: more than any ratio that counts.
 constexpr double k_no_share = 1e6;
-/// Other controls follow a line that they can take this share of its way.
-constexpr double k_follows = 0.1;
 /// A control moves a group of curves that it moves by this share of what anything moves it.
 constexpr double k_tells = 0.05;
 
@@ -35,7 +33,7 @@ std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> refe
 }
 
 bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
-  if (any_span_ || chain.empty()) return !chain.empty();
+  if (chain.empty()) return false;
   double largest = 0;
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
@@ -147,9 +145,14 @@ void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_within(weights_.near);
   const std::vector<std::uint32_t> not_far = samples_within(weights_.far);
+  std::vector<bool> is_distant(fields.places().size(), true);
+  for (const std::uint32_t s : not_far) is_distant[s] = false;
   std::vector<std::uint32_t> mirrored;
   const std::vector<std::uint32_t> images = samples_within(weights_.near, true);
   std::set_difference(images.begin(), images.end(), near.begin(), near.end(), std::back_inserter(mirrored));
+  // Where both sides are drawn, the other side of one is near the other.
+  const double alone = images.empty() ? 0.0 : static_cast<double>(mirrored.size()) / static_cast<double>(images.size());
+  const double one_sided = std::max(0.0, 2.0 * alone - 1.0);
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -167,27 +170,27 @@ void Reader::measure_fields() {
     }
     double whole = 0;
     double usual = 0;
-    std::vector<ModelVector> around(not_far.size(), ModelVector{0});
     std::vector<ModelVector> opposite(mirrored.size(), ModelVector{0});
     for (std::size_t k = 0; k < count; ++k) {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
-      for (std::size_t i = 0; i < not_far.size(); ++i) around[i] += field[not_far[i]] * by[k];
+      const auto& farthest = whole_.farthest[first + k];
+      const auto far = std::find_if(farthest.begin(), farthest.end(), [&](std::uint32_t s) { return is_distant[s]; });
+      if (far != farthest.end()) one.distant_way += by[k] * by[k] * square_of(field[*far]);
       for (std::size_t i = 0; i < mirrored.size(); ++i) opposite[i] += field[mirrored[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
         const bool drawn = std::binary_search(pieces.begin(), pieces.end(), of.piece);
-        (drawn ? one.own_square : one.apart_square) += by[k] * by[k] * of.square;
+        double& way = drawn ? one.own_way : one.apart_way;
+        way = std::max(way, std::abs(by[k]) * of.way);
       }
       for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
-    for (const ModelVector& way : opposite) one.mirrored_square += square_of(way);
-    one.distant_square = whole;
-    for (const ModelVector& way : around) one.distant_square -= square_of(way);
-    one.distant_square = std::max(0.0, one.distant_square);
+    for (const ModelVector& way : opposite) one.mirrored_square += one_sided * square_of(way);
+    one.distant_way = std::sqrt(one.distant_way);
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
     one.usual_way = std::sqrt(usual);
@@ -205,7 +208,10 @@ void Reader::measure_fields() {
     fields_.push_back(std::move(one));
   }
   for (Field& field : fields_) {
-    for (const ModelVector& way : field.near) field.ways.push_back(geometry::length(way));
+    for (const ModelVector& way : field.near) {
+      field.ways.push_back(geometry::length(way));
+      field.near_way = std::max(field.near_way, field.ways.back());
+    }
   }
 }
 
@@ -263,34 +269,6 @@ void Reader::leave_carriers(bool out) {
   std::erase_if(choices_.units, [&](const Unit& unit) { return carries_more(unit); });
 }
 
-bool Reader::others_follow() const {
-  const auto moves = [&](const Block& block, const Unit& unit, double least) {
-    for (std::size_t m = 0; m < unit.count; ++m) {
-      const auto column = std::span(columns_).subspan(parameter_of(unit.members[m]) * start_.size() + block.first);
-      for (std::size_t i = 0; i < block.count; ++i) {
-        if (geometry::length(column[i]) >= least) return true;
-      }
-    }
-    return false;
-  };
-  for (std::size_t c = 0; c < told_count(); ++c) {
-    const Block& block = blocks_[c];
-    double asked = 0;
-    if (block.drawn != nullptr) {
-      const geometry::Camera& camera = block.drawn->camera;
-      asked = way_across(seen(block, start_), block.drawn->target) *
-              camera.units_per_px(std::max(0.0, camera.depth(start_[block.first])));
-    } else {
-      for (std::size_t i = 0; i < block.count; ++i)
-        asked = std::max(asked, geometry::distance(start_[block.first + i], block.known->target[i]));
-    }
-    for (const Unit& unit : choices_.units) {
-      if (!carries_more(unit) && moves(block, unit, k_follows * asked)) return true;
-    }
-  }
-  return false;
-}
-
 double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
   const ControlFields& fields = *whole_.fields;
   std::vector<ModelVector> to_a(fields.samples().size(), ModelVector{0});
@@ -327,15 +305,16 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, far = 0, distant = 0, mirrored = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
     far += fields_[v].far_square;
-    distant += fields_[v].distant_square;
+    near_way = std::max(near_way, fields_[v].near_way);
+    distant = std::max(distant, fields_[v].distant_way);
     mirrored += fields_[v].mirrored_square;
-    apart += fields_[v].apart_square;
-    own += fields_[v].own_square;
+    apart = std::max(apart, fields_[v].apart_way);
+    own = std::max(own, fields_[v].own_way);
     usual = std::max(usual, fields_[v].usual_way);
     fringe = std::min(fringe, fields_[v].fringe);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
@@ -345,9 +324,10 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   terms = {};
   terms[Term::unit] = 1.0;
   terms[Term::elsewhere] = base::log(1.0 + elsewhere);
-  terms[Term::distant] = base::log(1.0 + (near > 0.0 ? distant / near : k_no_share));
+  const double distant_share = near_way > 0.0 ? std::min(distant / near_way, k_no_share) : k_no_share;
+  terms[Term::distant] = base::log(1.0 + distant_share * distant_share);
   terms[Term::mirrored] = base::log(1.0 + (near > 0.0 ? mirrored / near : 0.0));
-  terms[Term::apart] = base::log(1.0 + (own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
+  terms[Term::apart] = base::log(std::max(1.0, own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
   terms[Term::fringe] = base::log(fringe);
   terms[Term::part] = parts - 1.0;
