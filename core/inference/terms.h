@@ -15,7 +15,11 @@ enum class Term : std::uint8_t {
   elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
   distant,     ///< log(1 + (largest way far from the lines over the largest near them) squared)
   mirrored,    ///< log(1 + what a unit moves at the mirror image of the lines over what it moves near them, both squared)
-  apart,       ///< log(largest way of other pieces of the mesh over that of the pieces with lines), at least 0
+  turned,      ///< log(1 + (how much a unit turns a piece of the mesh without lines, as gaze does an eyeball, over its
+               ///< largest way near the lines) squared)
+  scattered,   ///< log(1 + (largest way of what a unit moves elsewhere, apart from what it moves near the lines, over
+               ///< its largest way near them) squared): an expression moves several places
+  lone,        ///< units of a control that has no counterpart on the other side
   faint,       ///< log(usual way of the control that moves most / a unit's own)
   fringe,      ///< log(usual way of a unit's field / largest way of the lines)
   carried,     ///< of joints: elsewhere beyond what any joint carries

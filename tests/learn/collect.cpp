@@ -80,22 +80,21 @@ std::vector<std::size_t> parameters_of(const document::Model& model, const std::
   return out;
 }
 
-void collect_gestures(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known,
+void collect_gestures(const Asked& asked, const inference::Weights& weights, KnownReadings& known,
                       std::vector<LearnCase>& out) {
-  auto cases = rig.name.starts_with("random") ? judges::random_gestures(rig, 1, k_random_gestures)
-                                             : judges::gestures(rig, judges::Extent::whole);
+  const auto& cases = asked.gestures;
   const io::CaseFile file = judges::file_of(cases);
-  Reads reads(rig.model, file, weights);
-  const judges::WholeFace face(rig.model, file);
+  Reads reads(asked.model, file, weights);
+  const judges::WholeFace face(asked.model, file);
   judges::GestureJudge judge(face);
   for (const judges::Gesture& gesture : cases) {
     std::vector<std::string> allowed = gesture.accepted;
     for (const auto& group : gesture.needed) allowed.insert(allowed.end(), group.begin(), group.end());
     LearnCase one;
-    one.rig = rig.name;
+    one.rig = asked.name;
     one.name = "gesture " + gesture.asked.name;
     for (const auto& reading :
-         reads.read(gesture.asked, parameters_of(rig.model, allowed), known[one.name])) {
+         reads.read(gesture.asked, parameters_of(asked.model, allowed), known[one.name])) {
       Outcome outcome;
       judge.judge(gesture, reading.pose, outcome);
       one.candidates.push_back({reading.terms, outcome.right == 1.0, outcome.note});
@@ -104,21 +103,21 @@ void collect_gestures(const judges::Rig& rig, const inference::Weights& weights,
   }
 }
 
-void collect_known_faces(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known,
+void collect_known_faces(const Asked& asked, const inference::Weights& weights, KnownReadings& known,
                          std::vector<LearnCase>& out) {
-  const auto cases = judges::known_faces(rig, judges::Extent::whole);
+  const auto& cases = asked.faces;
   const io::CaseFile file = judges::file_of(cases);
-  Reads reads(rig.model, file, weights);
-  const judges::WholeFace face(rig.model, file);
+  Reads reads(asked.model, file, weights);
+  const judges::WholeFace face(asked.model, file);
   for (const judges::KnownFace& one : cases) {
     // What nobody would show says nothing of what is meant.
     if (one.asked.name.starts_with("random")) continue;
     std::vector<std::size_t> allowed;
     for (std::size_t i = 0; i < one.truth.size(); ++i) {
-      if (one.truth[i] != rig.model.rig->parameters()[i].rest) allowed.push_back(i);
+      if (one.truth[i] != asked.model.rig->parameters()[i].rest) allowed.push_back(i);
     }
     LearnCase made;
-    made.rig = rig.name;
+    made.rig = asked.name;
     made.name = "known " + one.asked.name;
     made.weight = k_weight_of_known;
     const auto truth = face.moved(one.truth);
@@ -142,12 +141,21 @@ void collect_known_faces(const judges::Rig& rig, const inference::Weights& weigh
 
 }  // namespace
 
-std::vector<LearnCase> collect(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known) {
+std::vector<LearnCase> collect(const Asked& asked, const inference::Weights& weights, KnownReadings& known) {
   std::vector<LearnCase> out;
-  if (rig.lines.empty()) return out;
-  collect_gestures(rig, weights, known, out);
-  collect_known_faces(rig, weights, known, out);
+  collect_gestures(asked, weights, known, out);
+  collect_known_faces(asked, weights, known, out);
   return out;
+}
+
+std::vector<LearnCase> collect(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known) {
+  if (rig.lines.empty()) return {};
+  const bool by_lot = rig.name.starts_with("random");
+  return collect({rig.name, rig.model,
+                  by_lot ? judges::random_gestures(rig, 1, k_random_gestures)
+                         : judges::gestures(rig, judges::Extent::whole),
+                  judges::known_faces(rig, judges::Extent::whole)},
+                 weights, known);
 }
 
 }  // namespace penpose::learn

@@ -3,6 +3,8 @@
 #include <map>
 #include <vector>
 
+#include "tests/judges/cases/gestures.h"
+#include "tests/judges/cases/known_faces.h"
 #include "tests/judges/rigs/rig.h"
 #include "tests/learn/fit.h"
 
@@ -11,8 +13,17 @@ namespace penpose::learn {
 /// Poses whose controls were once a reading of a case, by the case's name: they stay rivals in later rounds.
 using KnownReadings = std::map<std::string, std::vector<rig::Pose>>;
 
-/// Readings of all cases of a rig by these weights, judged: gestures, and whole faces of known poses. `known` receives
-/// the readings.
+/// What is asked of a model.
+struct Asked {
+  std::string name;
+  const document::Model& model;
+  std::vector<judges::Gesture> gestures;
+  std::vector<judges::KnownFace> faces;
+};
+/// Readings of all these cases by these weights, judged. `known` receives the readings.
+[[nodiscard]] std::vector<LearnCase> collect(const Asked& asked, const inference::Weights& weights, KnownReadings& known);
+
+/// The same of a rig: gestures, and whole faces of known poses.
 [[nodiscard]] std::vector<LearnCase> collect(const judges::Rig& rig, const inference::Weights& weights,
                                              KnownReadings& known);
 

@@ -6,6 +6,7 @@
 
 #include "core/geometry/space.h"
 #include "core/intent/model/mirror_pairs.h"
+#include "core/intent/model/places_moved.h"
 #include "core/rig/character_rig.h"
 
 namespace penpose::intent {
@@ -88,21 +89,33 @@ std::vector<std::vector<std::uint32_t>> farthest_samples(const ControlFields& fi
 }
 
 /// See WholeModel::by_piece.
-std::vector<std::vector<WholeModel::OfPiece>> ways_by_piece(const ControlFields& fields,
-                                                               std::span<const std::uint32_t> pieces) {
+std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields& fields,
+                                                             std::span<const std::uint32_t> pieces) {
+  struct Sums {
+    double count = 0, square = 0;
+    ModelVector way{0};
+  };
   std::vector<std::vector<WholeModel::OfPiece>> out(fields.control_count());
+  if (pieces.empty()) return out;
   const auto samples = fields.samples();
+  std::vector<double> sizes(*std::max_element(pieces.begin(), pieces.end()) + std::size_t{1}, 0.0);
+  for (const std::uint32_t v : samples) sizes[pieces[v]] += 1.0;
   for (std::size_t p = 0; p < out.size(); ++p) {
     if (!(fields.square(p) > 0.0)) continue;
-    std::map<std::uint32_t, double> most;
+    std::map<std::uint32_t, Sums> sums;
     const auto field = fields.field(p);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double square = square_of(field[i]);
       if (!(square > 0.0)) continue;
-      double& way = most[pieces.empty() ? 0 : pieces[samples[i]]];
-      way = std::max(way, std::sqrt(square));
+      Sums& of = sums[pieces[samples[i]]];
+      of.square += square;
+      of.way += field[i];
     }
-    for (const auto& [piece, way] : most) out[p].push_back({piece, way});
+    for (const auto& [piece, of] : sums) {
+      const ModelVector mean = of.way / sizes[piece];
+      const double variance = of.square / sizes[piece] - square_of(mean);
+      if (variance > 0.0) out[p].push_back({piece, std::sqrt(variance)});
+    }
   }
   return out;
 }
@@ -177,7 +190,8 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   whole.composites = composites_of(fields, shapes);
   whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
   whole.farthest = farthest_samples(fields);
-  whole.by_piece = ways_by_piece(fields, whole.pieces);
+  whole.by_piece = turns_by_piece(fields, whole.pieces);
+  whole.places = places_moved(fields, shapes);
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));

@@ -41,12 +41,20 @@ struct WholeModel {
   std::vector<Composite> composites;
   /// One a vertex: the connected piece of the mesh that it belongs to; empty: unknown.
   std::vector<std::uint32_t> pieces;
-  /// For each control: of each piece that it moves, ascending, the largest way of its field there.
+  /// For each control: of each piece that it moves, ascending, how much it turns the piece: the standard
+  /// deviation of its field there.
   struct OfPiece {
     std::uint32_t piece = 0;
-    double way = 0;  ///< model units; of a joint's angle for a radian
+    double turn = 0;  ///< model units; of a joint's angle for a radian
   };
   std::vector<std::vector<OfPiece>> by_piece;
+  /// For each shape: the places that it moves, apart from each other. A place is a set of samples that move by at least
+  /// a share of the most, each near another one. Empty for joints, which move one.
+  struct PlaceMoved {
+    double way = 0;  ///< the largest, model units
+    std::vector<std::uint32_t> samples;  ///< numbers of ControlFields::samples
+  };
+  std::vector<std::vector<PlaceMoved>> places;
   /// For each control: the samples that it moves, the farthest first (numbers of ControlFields::samples).
   std::vector<std::vector<std::uint32_t>> farthest;
   /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.

@@ -187,7 +187,8 @@ class Reader final : public Relations {
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
     double near_way = 0, distant_way = 0;    ///< the largest there, and far from the curves
     double mirrored_square = 0;              ///< near the mirror image of the curves alone
-    double apart_way = 0, own_way = 0;       ///< the largest of pieces without lines, and of those with lines
+    double turn = 0;                         ///< of a piece without lines, the most
+    double scattered_way = 0;                ///< the largest at places apart from those near the curves
     double usual_way = 0;                    ///< of the control, model units
   };
   struct Relation {

@@ -145,6 +145,8 @@ void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_within(weights_.near);
   const std::vector<std::uint32_t> not_far = samples_within(weights_.far);
+  std::vector<bool> is_near(fields.places().size(), false);
+  for (const std::uint32_t s : near) is_near[s] = true;
   std::vector<bool> is_distant(fields.places().size(), true);
   for (const std::uint32_t s : not_far) is_distant[s] = false;
   std::vector<std::uint32_t> mirrored;
@@ -174,6 +176,10 @@ void Reader::measure_fields() {
     for (std::size_t k = 0; k < count; ++k) {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
+      for (const WholeModel::PlaceMoved& place : whole_.places[first + k]) {
+        const bool meets = std::any_of(place.samples.begin(), place.samples.end(), [&](std::uint32_t s) { return is_near[s]; });
+        if (!meets) one.scattered_way = std::max(one.scattered_way, by[k] * place.way);
+      }
       const auto& farthest = whole_.farthest[first + k];
       const auto far = std::find_if(farthest.begin(), farthest.end(), [&](std::uint32_t s) { return is_distant[s]; });
       if (far != farthest.end()) one.distant_way += by[k] * by[k] * square_of(field[*far]);
@@ -181,9 +187,8 @@ void Reader::measure_fields() {
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
-        const bool drawn = std::binary_search(pieces.begin(), pieces.end(), of.piece);
-        double& way = drawn ? one.own_way : one.apart_way;
-        way = std::max(way, std::abs(by[k]) * of.way);
+        if (!std::binary_search(pieces.begin(), pieces.end(), of.piece))
+          one.turn = std::max(one.turn, std::abs(by[k]) * of.turn);
       }
       for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
     }
@@ -305,7 +310,7 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, apart = 0, own = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
@@ -313,8 +318,8 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     near_way = std::max(near_way, fields_[v].near_way);
     distant = std::max(distant, fields_[v].distant_way);
     mirrored += fields_[v].mirrored_square;
-    apart = std::max(apart, fields_[v].apart_way);
-    own = std::max(own, fields_[v].own_way);
+    turn = std::max(turn, fields_[v].turn);
+    scattered = std::max(scattered, fields_[v].scattered_way);
     usual = std::max(usual, fields_[v].usual_way);
     fringe = std::min(fringe, fields_[v].fringe);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
@@ -324,10 +329,17 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   terms = {};
   terms[Term::unit] = 1.0;
   terms[Term::elsewhere] = base::log(1.0 + elsewhere);
-  const double distant_share = near_way > 0.0 ? std::min(distant / near_way, k_no_share) : k_no_share;
-  terms[Term::distant] = base::log(1.0 + distant_share * distant_share);
   terms[Term::mirrored] = base::log(1.0 + (near > 0.0 ? mirrored / near : 0.0));
-  terms[Term::apart] = base::log(std::max(1.0, own > 0.0 ? std::min(apart / own, k_no_share) : k_no_share));
+  const auto beside_near = [&](double way) {
+    const double share = near_way > 0.0 ? std::min(way / near_way, k_no_share) : way > 0.0 ? k_no_share : 0.0;
+    return base::log(1.0 + share * share);
+  };
+  terms[Term::distant] = beside_near(distant);
+  terms[Term::turned] = beside_near(turn);
+  terms[Term::scattered] = beside_near(scattered);
+  const std::size_t first = parameter_of(unit.members[0]);
+  if (unit.count == 1 && whole_.partner[parameters_[first]] == k_no_partner && !turns(unit.members[0]))
+    terms[Term::lone] = 1.0;
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
   terms[Term::fringe] = base::log(fringe);
   terms[Term::part] = parts - 1.0;
