@@ -30,6 +30,7 @@ struct Parts {
   std::vector<double> jaw_share;                           ///< of each vertex: how much of it goes with the jaw
   std::map<std::string, std::vector<std::uint32_t>> eyes;  ///< vertices of the balls: "L", "R"; a creature has none
   double mouth = 0;                                        ///< half its width, model units
+  std::size_t skin = 0;  ///< vertices from here on are pieces that go along with the others; 0: there are none
 
   [[nodiscard]] std::span<const geometry::ModelPoint> rest() const { return mesh->positions(); }
   [[nodiscard]] const std::vector<std::uint32_t>& line(std::string_view name) const;

@@ -46,10 +46,11 @@ class FaceJoints {
   void add(const Carrier& carrier) {
     std::vector<double> share(plain_.rest().size(), 0.0);
     for (const std::string& muscle : carrier.shares) {
-      const auto own = share_of(plain_.field(muscle));
+      const auto own = share_of_skin(plain_.field(muscle));
       for (std::size_t v = 0; v < own.size(); ++v) share[v] = std::max(share[v], own[v]);
     }
-    const auto peak = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+    const auto end = share.begin() + static_cast<std::ptrdiff_t>(skin());
+    const auto peak = static_cast<std::size_t>(std::max_element(share.begin(), end) - share.begin());
     const ModelPoint from = plain_.rest()[peak];
     const ModelPoint center = from - ModelVector{0, 0, carrier.behind};
     const std::size_t joint = add(carrier.word, carrier.parent, center, 70);
@@ -93,6 +94,15 @@ class FaceJoints {
     ModelPoint center, from;
     std::size_t vertex;
   };
+  /// Pieces that hang on the skin may go farther than it does, and do not say where a joint is.
+  [[nodiscard]] std::size_t skin() const { return plain_.skin == 0 ? plain_.rest().size() : plain_.skin; }
+  [[nodiscard]] std::vector<double> share_of_skin(const Field& field) const {
+    double most = 0;
+    for (std::size_t v = 0; v < skin(); ++v) most = std::max(most, geometry::length(field[v]));
+    std::vector<double> share;
+    for (const ModelVector& d : field) share.push_back(most > 0 ? std::min(1.0, geometry::length(d) / most) : 0);
+    return share;
+  }
   [[nodiscard]] std::int32_t number(const std::string& word) const {
     return static_cast<std::int32_t>(
         std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.word == word; })->joint);

@@ -29,7 +29,7 @@ Landmarks landmarks_of(const Parts& parts) {
   }
   marks.low = 1e300;
   marks.high = -1e300;
-  for (const ModelPoint& p : parts.rest()) {
+  for (const ModelPoint& p : parts.rest().first(parts.skin == 0 ? parts.rest().size() : parts.skin)) {
     marks.low = std::min(marks.low, p.y);
     marks.high = std::max(marks.high, p.y);
   }

@@ -17,7 +17,7 @@ struct Word {
   const char* facs;
 };
 
-constexpr std::array<Word, 33> k_words{{
+constexpr std::array<Word, 35> k_words{{
     {"smile_", "mouthSmile", "smile", "AU12"},
     {"frown_", "mouthFrown", "mouth_sad", "AU15"},
     {"stretch_", "mouthStretch", "mouth_wide", "AU20"},
@@ -38,6 +38,8 @@ constexpr std::array<Word, 33> k_words{{
     {"squint_", "eyeSquint", "lid_low", "AU7"},
     {"look_up_", "eyeLookUp", "look_up", "AU63"},
     {"look_down_", "eyeLookDown", "look_down", "AU64"},
+    {"look_left_", "eyeLookAtLeft", "look_left", "AU61"},
+    {"look_right_", "eyeLookAtRight", "look_right", "AU62"},
     {"pucker", "mouthPucker", "kiss", "AU18"},
     {"funnel", "mouthFunnel", "oo", "AU22"},
     {"jaw_open", "jawOpen", "open", "AU26"},

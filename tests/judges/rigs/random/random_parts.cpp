@@ -6,6 +6,8 @@
 
 #include "core/base/math.h"
 #include "tests/judges/rigs/random/density.h"
+#include "tests/judges/rigs/random/eye_pieces.h"
+#include "tests/judges/rigs/random/gaze.h"
 #include "tests/judges/rigs/random/landmarks.h"
 #include "tests/judges/rigs/sculpt.h"
 
@@ -194,6 +196,20 @@ void add_nonsense(Parts& parts) {
   parts.fields["ears"] = std::move(ears);
 }
 
+/// Meshes of their own that go along with the skin, of which a face has some.
+void add_own_pieces(Parts& parts, const Dice& dice) {
+  Dice own = dice.about("own pieces");
+  const double many = own.chance(0.3) ? 0 : own.real(0.3, 1);
+  Pieces pieces(parts);
+  const bool lashes = own.chance(many);
+  const bool shells = own.chance(many);
+  const bool brows = own.chance(0.6 * many);
+  if (lashes) add_lashes(pieces, parts, dice.about("lashes"));
+  if (shells) add_eye_shells(pieces, parts, dice.about("shells"));
+  if (brows) add_brow_hair(pieces, parts, dice.about("brow hair"));
+  std::move(pieces).attach(parts);
+}
+
 }  // namespace
 
 Parts random_parts(const Dice& dice) {
@@ -210,6 +226,11 @@ Parts random_parts(const Dice& dice) {
   parts = reshaped(parts, proportions(parts, dice.about("proportions")));
   if (own.chance(0.5) && parts.rest().size() > 1500) parts = thinned(parts, own.real(0.12, 0.8));
   vary_muscles(parts, dice.about("muscles"));
+  add_lips_close(parts, dice);
+  Dice pieces = dice.about("pieces");
+  if (parts.eyes.empty() && pieces.chance(0.6)) add_balls(parts, dice.about("balls"));
+  add_gaze(parts, dice);
+  add_own_pieces(parts, dice);
   return parts;
 }
 

@@ -19,7 +19,7 @@ constexpr std::array<Muscle, 33> k_muscles{{
     {"smile_", 1},           {"frown_", 0.95},        {"stretch_", 0.7},    {"dimple_", 0.4},     {"press_", 0.4},
     {"upper_up_", 0.75},     {"lower_down_", 0.7},    {"cheek_", 0.5},      {"puff_", 0.4},       {"sneer_", 0.6},
     {"brow_inner_up_", 0.9}, {"brow_outer_up_", 0.8}, {"brow_down_", 0.9},  {"blink_", 1},        {"wide_", 0.75},
-    {"squint_", 0.6},        {"look_up_", 0.3},       {"look_down_", 0.3},  {"look_left_", 0.3},  {"look_right_", 0.3},
+    {"squint_", 0.6},        {"look_up_", 0.6},       {"look_down_", 0.6},  {"look_left_", 0.5},  {"look_right_", 0.5},
     {"pucker", 0.9},         {"funnel", 0.7},         {"jaw_open", 1},      {"jaw_L", 0.35},      {"jaw_R", 0.35},
     {"jaw_forward", 0.3},    {"mouth_L", 0.6},        {"mouth_R", 0.6},     {"roll_upper", 0.35}, {"roll_lower", 0.35},
     {"shrug_upper", 0.35},   {"shrug_lower", 0.4},    {"lips_close", 0.25},

@@ -13,20 +13,58 @@ struct Spill {
   double most;
 };
 
-constexpr std::array<Spill, 34> k_spills{{
-    {"smile_", "cheek_", 0.5},         {"smile_", "squint_", 0.3},       {"smile_", "dimple_", 0.3},
-    {"smile_", "stretch_", 0.3},       {"smile_", "upper_up_", 0.25},    {"frown_", "shrug_lower", 0.4},
-    {"frown_", "lower_down_", 0.25},   {"frown_", "stretch_", 0.2},      {"brow_inner_up_", "brow_outer_up_", 0.3},
-    {"brow_inner_up_", "wide_", 0.15}, {"brow_outer_up_", "wide_", 0.2}, {"brow_outer_up_", "brow_inner_up_", 0.3},
-    {"brow_down_", "squint_", 0.25},   {"brow_down_", "sneer_", 0.3},    {"brow_down_", "blink_", 0.12},
-    {"pucker", "shrug_lower", 0.35},   {"pucker", "funnel", 0.3},        {"pucker", "jaw_open", 0.08},
-    {"funnel", "pucker", 0.3},         {"funnel", "jaw_open", 0.12},     {"blink_", "squint_", 0.4},
-    {"blink_", "cheek_", 0.15},        {"blink_", "brow_down_", 0.1},    {"wide_", "brow_outer_up_", 0.2},
-    {"jaw_open", "lower_down_", 0.25}, {"jaw_open", "frown_", 0.12},     {"jaw_open", "pucker", 0.2},
-    {"upper_up_", "sneer_", 0.35},     {"sneer_", "upper_up_", 0.35},    {"sneer_", "brow_down_", 0.2},
-    {"stretch_", "press_", 0.3},       {"mouth_L", "jaw_L", 0.35},       {"mouth_R", "jaw_R", 0.35},
-    {"lower_down_", "stretch_", 0.2},
-}};
+constexpr std::array k_spills{
+    Spill{"smile_", "cheek_", 0.5},
+    Spill{"smile_", "squint_", 0.3},
+    Spill{"smile_", "dimple_", 0.3},
+    Spill{"smile_", "stretch_", 0.3},
+    Spill{"smile_", "upper_up_", 0.25},
+    Spill{"frown_", "shrug_lower", 0.4},
+    Spill{"frown_", "lower_down_", 0.25},
+    Spill{"frown_", "stretch_", 0.2},
+    Spill{"brow_inner_up_", "brow_outer_up_", 0.3},
+    Spill{"brow_inner_up_", "wide_", 0.15},
+    Spill{"brow_outer_up_", "wide_", 0.2},
+    Spill{"brow_outer_up_", "brow_inner_up_", 0.3},
+    Spill{"brow_down_", "squint_", 0.25},
+    Spill{"brow_down_", "sneer_", 0.3},
+    Spill{"brow_down_", "blink_", 0.12},
+    Spill{"pucker", "shrug_lower", 0.45},
+    Spill{"pucker", "funnel", 0.3},
+    Spill{"pucker", "jaw_open", 0.2},
+    Spill{"pucker", "jaw_forward", 0.3},
+    Spill{"funnel", "pucker", 0.3},
+    Spill{"funnel", "jaw_open", 0.2},
+    Spill{"blink_", "squint_", 0.4},
+    Spill{"blink_", "cheek_", 0.15},
+    Spill{"blink_", "brow_down_", 0.1},
+    Spill{"wide_", "brow_outer_up_", 0.2},
+    Spill{"jaw_open", "lower_down_", 0.25},
+    Spill{"jaw_open", "frown_", 0.12},
+    Spill{"jaw_open", "pucker", 0.2},
+    Spill{"upper_up_", "sneer_", 0.35},
+    Spill{"sneer_", "upper_up_", 0.4},
+    Spill{"sneer_", "brow_down_", 0.2},
+    Spill{"stretch_", "press_", 0.3},
+    Spill{"mouth_L", "jaw_L", 0.35},
+    Spill{"mouth_R", "jaw_R", 0.35},
+    Spill{"lower_down_", "stretch_", 0.2},
+    // What is meant for cheeks, a nose or the form of lips moves the mouth, too.
+    Spill{"puff_", "pucker", 0.6},
+    Spill{"puff_", "stretch_", -0.2},
+    Spill{"dimple_", "smile_", 0.3},
+    Spill{"dimple_", "upper_up_", 0.2},
+    Spill{"cheek_", "upper_up_", 0.35},
+    Spill{"cheek_", "smile_", 0.25},
+    Spill{"press_", "shrug_lower", 0.4},
+    Spill{"press_", "shrug_upper", -0.4},
+    Spill{"press_", "stretch_", 0.25},
+    Spill{"roll_upper", "shrug_upper", -0.5},
+    Spill{"roll_lower", "shrug_lower", 0.5},
+    Spill{"shrug_upper", "upper_up_", 0.3},
+    Spill{"shrug_lower", "upper_up_", 0.25},
+    Spill{"shrug_lower", "shrug_upper", 0.4},
+};
 
 }  // namespace
 
@@ -35,6 +73,7 @@ Taste::Taste(const Parts& parts, const Dice& dice) : parts_(parts), dice_(dice) 
   spill_ = own.chance(0.25) ? 0 : own.real(0.3, 1);
   strength_ = own.chance(0.3) ? 0 : own.real(0.1, 0.8);
   lacks_ = own.chance(0.5) ? 0 : own.real(0, 0.25);
+  weak_smiles_ = Dice(dice.about("weak smiles")).chance(0.2);
 }
 
 bool Taste::make(Recipe& recipe) const {
@@ -50,12 +89,15 @@ bool Taste::make(Recipe& recipe) const {
   const bool lid = first == "blink_" || first == "lid_in_" || first == "lid_out_";
   double strength = own.about_one(lid ? 0.04 : 0.15);
   if (own.chance(strength_)) strength = lid ? own.real(0.6, 1.05) : own.real(0.2, 1.6);
+  if (weak_smiles_ && first == "smile_") strength = own.real(0.12, 0.35);
+  if (weak_smiles_ && (first == "pucker" || first == "funnel")) strength = own.real(1, 1.5);
   Recipe made = recipe;
   for (const auto& [muscle, amount] : recipe) {
     const std::string base = is_paired(muscle) ? without_side(muscle) : muscle;
     for (const Spill& spill : k_spills) {
       if (base != spill.from) continue;
-      const double share = own.chance(0.5) ? spill_ * own.real(0, spill.most) : 0;
+      Dice spilt = dice_.about(key + " from " + base + " onto " + spill.onto);
+      const double share = spilt.chance(0.5) ? spill_ * spilt.real(0, spill.most) : 0;
       if (share == 0) continue;
       const std::string onto = spill.onto;
       if (onto.back() != '_') {

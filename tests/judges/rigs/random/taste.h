@@ -16,9 +16,10 @@ class Taste {
  private:
   const Parts& parts_;
   Dice dice_;
-  double spill_ = 0;     ///< 0..1
-  double strength_ = 0;  ///< the share of shapes that are weak or strong
-  double lacks_ = 0;     ///< the share of shapes that are left out
+  double spill_ = 0;          ///< 0..1
+  double strength_ = 0;       ///< the share of shapes that are weak or strong
+  double lacks_ = 0;          ///< the share of shapes that are left out
+  bool weak_smiles_ = false;  ///< beside strong ways to narrow the mouth
 };
 
 }  // namespace penpose::judges
