@@ -1,78 +1,37 @@
 #include "core/intent/model/places_moved.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 
 namespace penpose::intent {
 namespace {
 
 /// What moves by less than this share of the most does not join places.
-constexpr double k_moves_along = 0.15;
-/// Samples are neighbours that are no farther from each other than this many times the usual distance between samples.
-constexpr double k_apart = 3.0;
+constexpr double k_moves_along = 0.3;
+/// A sample's neighbours are so many, the nearest.
+constexpr std::size_t k_nearest = 10;
+/// A place of fewer samples than this share of what moves is the edge of another one.
+constexpr double k_least_share = 0.03;
 
-using Cell = std::array<std::int64_t, 3>;
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t c : cell) hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ULL;
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
-  }
-};
-
-/// The samples near each sample, by cells as large as the distance.
-class Neighbours {
- public:
-  Neighbours(std::span<const ModelPoint> places, double distance) : places_(places), distance_(distance) {
-    for (std::uint32_t i = 0; i < places.size(); ++i) cells_[cell_of(places[i])].push_back(i);
-  }
-  template <typename Use>
-  void each(std::uint32_t of, Use use) const {
-    const Cell middle = cell_of(places_[of]);
-    for (std::int64_t x = -1; x <= 1; ++x) {
-      for (std::int64_t y = -1; y <= 1; ++y) {
-        for (std::int64_t z = -1; z <= 1; ++z) {
-          const auto cell = cells_.find({middle[0] + x, middle[1] + y, middle[2] + z});
-          if (cell == cells_.end()) continue;
-          for (const std::uint32_t other : cell->second) {
-            if (other != of && square_of(places_[other] - places_[of]) <= distance_ * distance_) use(other);
-          }
-        }
-      }
+/// For each sample those that are among the nearest of it, or it among theirs.
+std::vector<std::vector<std::uint32_t>> neighbours_of(std::span<const ModelPoint> places) {
+  std::vector<std::vector<std::uint32_t>> out(places.size());
+  std::vector<std::pair<double, std::uint32_t>> by_distance;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    by_distance.clear();
+    for (std::uint32_t k = 0; k < places.size(); ++k) {
+      if (k != i) by_distance.emplace_back(square_of(places[k] - places[i]), k);
+    }
+    const std::size_t count = std::min(k_nearest, by_distance.size());
+    std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count), by_distance.end());
+    for (std::size_t n = 0; n < count; ++n) {
+      out[i].push_back(by_distance[n].second);
+      out[by_distance[n].second].push_back(i);
     }
   }
-
- private:
-  [[nodiscard]] Cell cell_of(const ModelPoint& at) const {
-    Cell cell{};
-    for (int k = 0; k < 3; ++k)
-      cell[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(at[k] / distance_));
-    return cell;
-  }
-  std::span<const ModelPoint> places_;
-  double distance_;
-  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
-};
-
-/// The median distance from a sample to the nearest other one; of a part of the samples where there are many.
-double usual_distance(std::span<const ModelPoint> places) {
-  constexpr std::size_t k_looked_at = 200;
-  const std::size_t step = std::max<std::size_t>(1, places.size() / k_looked_at);
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < places.size(); i += step) {
-    double least = -1;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const double square = square_of(places[k] - places[i]);
-      if (k != i && square > 0.0 && (least < 0.0 || square < least)) least = square;
-    }
-    if (least > 0.0) nearest.push_back(std::sqrt(least));
-  }
-  if (nearest.empty()) return 0.0;
-  std::stable_sort(nearest.begin(), nearest.end());
-  return nearest[nearest.size() / 2];
+  return out;
 }
 
 }  // namespace
@@ -80,32 +39,34 @@ double usual_distance(std::span<const ModelPoint> places) {
 std::vector<std::vector<WholeModel::PlaceMoved>> places_moved(const ControlFields& fields,
                                                               const std::vector<bool>& shapes) {
   std::vector<std::vector<WholeModel::PlaceMoved>> out(fields.control_count());
-  const double usual = usual_distance(fields.places());
-  if (!(usual > 0.0)) return out;
-  const Neighbours neighbours(fields.places(), k_apart * usual);
-  constexpr std::uint8_t k_still = 0, k_moves = 1, k_taken = 2;
+  if (std::find(shapes.begin(), shapes.end(), true) == shapes.end()) return out;
+  const auto neighbours = neighbours_of(fields.places());
   for (std::size_t p = 0; p < out.size(); ++p) {
     if (!shapes[p] || !(fields.square(p) > 0.0)) continue;
     const auto field = fields.field(p);
     double most = 0;
     for (const ModelVector& way : field) most = std::max(most, square_of(way));
-    std::vector<std::uint8_t> state(field.size(), k_still);
+    std::vector<bool> moves(field.size());
+    double count = 0;
     for (std::size_t i = 0; i < field.size(); ++i) {
-      if (square_of(field[i]) >= k_moves_along * k_moves_along * most) state[i] = k_moves;
+      moves[i] = square_of(field[i]) >= k_moves_along * k_moves_along * most;
+      count += moves[i] ? 1.0 : 0.0;
     }
     for (std::uint32_t i = 0; i < field.size(); ++i) {
-      if (state[i] != k_moves) continue;
-      WholeModel::PlaceMoved& place = out[p].emplace_back();
+      if (!moves[i]) continue;
+      WholeModel::PlaceMoved place;
       place.samples.push_back(i);
-      state[i] = k_taken;
+      moves[i] = false;
       for (std::size_t next = 0; next < place.samples.size(); ++next) {
-        neighbours.each(place.samples[next], [&](std::uint32_t other) {
-          if (state[other] != k_moves) return;
-          state[other] = k_taken;
+        const std::uint32_t of = place.samples[next];
+        place.way = std::max(place.way, std::sqrt(square_of(field[of])));
+        for (const std::uint32_t other : neighbours[of]) {
+          if (!moves[other]) continue;
+          moves[other] = false;
           place.samples.push_back(other);
-        });
-        place.way = std::max(place.way, std::sqrt(square_of(field[place.samples[next]])));
+        }
       }
+      if (static_cast<double>(place.samples.size()) >= k_least_share * count) out[p].push_back(std::move(place));
     }
   }
   return out;
