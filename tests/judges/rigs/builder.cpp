@@ -7,7 +7,6 @@
 #include "core/geometry/rotation.h"
 #include "core/rig/character_rig.h"
 #include "tests/judges/rigs/control_words.h"
-#include "tests/judges/rigs/expressions.h"
 #include "tests/judges/rigs/sculpt.h"
 
 namespace penpose::judges {
@@ -136,7 +135,9 @@ void FaceBuilder::pose(std::string name, Values values) { rig_.poses.push_back({
 
 void FaceBuilder::add_expressions() {
   std::vector<KnownPose> known;
-  for (const Expression& expression : expressions()) {
+  std::vector<Expression> asked(expressions().begin(), expressions().end());
+  asked.insert(asked.end(), more_.begin(), more_.end());
+  for (const Expression& expression : asked) {
     KnownPose pose{expression.name, {}};
     std::vector<std::string> all;
     for (const auto& [muscle, amount] : expression.muscles) all.push_back(muscle);

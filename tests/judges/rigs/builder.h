@@ -10,6 +10,7 @@
 
 #include "core/rig/blend_shapes.h"
 #include "core/rig/skeleton.h"
+#include "tests/judges/rigs/expressions.h"
 #include "tests/judges/rigs/parts.h"
 
 namespace penpose::judges {
@@ -68,6 +69,9 @@ class FaceBuilder {
   /// Adds a known pose, in values of controls.
   void pose(std::string name, Values values);
 
+  /// Expressions of which it has a known pose beside the ordinary ones, if the rig has every muscle.
+  void also_known(std::vector<Expression> more) { more_ = std::move(more); }
+
   /// Known poses are the ordinary expressions of which the rig has every muscle (expressions.h), and those added.
   [[nodiscard]] Rig build();
 
@@ -85,6 +89,7 @@ class FaceBuilder {
   std::vector<glm::dquat> joint_frames_;
   std::vector<std::vector<rig::Influence>> influences_;
   std::vector<Act> acts_;
+  std::vector<Expression> more_;
 };
 
 }  // namespace penpose::judges

@@ -27,12 +27,13 @@ std::uint32_t beside(const std::vector<std::uint32_t>& other, std::size_t i, std
 
 void add_lashes(Pieces& pieces, const Parts& parts, Dice dice) {
   const Landmarks marks = landmarks_of(parts);
-  const double length = dice.real(0.15, 0.45) * marks.eye;
-  const double tips = dice.real(1.05, 1.5);
+  const double length = dice.real(0.15, 0.7) * marks.eye;
+  const double tips = dice.real(1.05, 1.8);
   const double up = dice.real(0.2, 0.9);
   const bool lower = dice.chance(0.4);
   const bool cards = dice.chance(0.4);
-  const std::size_t rows = dice.count(2, 4);
+  const std::size_t rows = dice.chance(0.5) ? dice.count(2, 4) : dice.count(5, 16);
+  const std::size_t between = dice.chance(0.5) ? 1 : dice.count(2, 6);
   for (const Side& side : sides()) {
     for (const bool upper : {true, false}) {
       if (!upper && !lower) continue;
@@ -40,16 +41,22 @@ void add_lashes(Pieces& pieces, const Parts& parts, Dice dice) {
       const auto& lid = parts.line((upper ? "eyelid_upper" : "eyelid_lower") + side.end);
       const double size = upper ? length : 0.5 * length;
       std::vector<std::vector<std::uint32_t>> grid(rows);
-      for (std::size_t i = 0; i < lid.size(); ++i) {
-        const double t = 2.0 * static_cast<double>(i) / static_cast<double>(lid.size() - 1) - 1;
+      const std::size_t columns = (lid.size() - 1) * between + 1;
+      for (std::size_t c = 0; c < columns; ++c) {
+        const double t = 2.0 * static_cast<double>(c) / static_cast<double>(columns - 1) - 1;
         const ModelVector way = geometry::normalized(ModelVector{side.out * 0.5 * t, upper ? up : -up, 0.7});
+        const std::uint32_t a = lid[c / between];
+        const std::uint32_t b = lid[std::min(c / between + 1, lid.size() - 1)];
+        const double past = static_cast<double>(c % between) / static_cast<double>(between);
+        const ModelPoint root = parts.rest()[a] + (parts.rest()[b] - parts.rest()[a]) * past;
         for (std::size_t r = 0; r < rows; ++r) {
           const double far = static_cast<double>(r) / static_cast<double>(rows - 1);
-          grid[r].push_back(pieces.add(parts.rest()[lid[i]] + way * (size * far), {{lid[i], 1 + (tips - 1) * far}}));
+          const double gain = 1 + (tips - 1) * far;
+          grid[r].push_back(pieces.add(root + way * (size * far), {{a, gain * (1 - past)}, {b, gain * past}}));
         }
       }
       for (std::size_t r = 0; r + 1 < rows; ++r) {
-        for (std::size_t i = 0; i + 1 < lid.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < columns; ++i) {
           pieces.triangle(grid[r][i], grid[r][i + 1], grid[r + 1][i + 1]);
           if (!cards) pieces.triangle(grid[r][i], grid[r + 1][i + 1], grid[r + 1][i]);
         }
@@ -62,7 +69,7 @@ void add_eye_shells(Pieces& pieces, const Parts& parts, Dice dice) {
   const Landmarks marks = landmarks_of(parts);
   const double bulge = dice.real(0.05, 0.3) * marks.eye;
   const bool whole = dice.chance(0.6);
-  const std::size_t rows = dice.count(3, 8);
+  const std::size_t rows = dice.count(3, 24);
   for (const Side& side : sides()) {
     pieces.begin((whole ? "occlusion" : "tear_line") + side.end);
     const auto& upper = parts.line("eyelid_upper" + side.end);

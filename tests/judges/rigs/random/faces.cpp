@@ -26,12 +26,12 @@ const std::vector<Face>& known() {
         {"jaw_open", 0.6, 0.1, 0.5},
         {"squint_", 0.6, 0.2, 0.8},
         {"cheek_", 0.5, 0.2, 0.8},
-        {"blink_", 0.4, 0.3, 0.9},
+        {"blink_", 0.55, 0.3, 1},
         {"brow_outer_up_", 0.4, 0.2, 0.6},
         {"brow_inner_up_", 0.3, 0.2, 0.6}}},
       {"angry",
        {{"brow_down_", 1, 0.6, 1},
-        {"frown_", 0.6, 0.2, 0.8},
+        {"frown_", 0.85, 0.2, 0.9},
         {"sneer_", 0.5, 0.2, 0.7},
         {"squint_", 0.4, 0.2, 0.6},
         {"stretch_", 0.3, 0.2, 0.5},
@@ -64,7 +64,7 @@ const std::vector<Face>& known() {
         {"stretch_", 0.7, 0.3, 0.8},
         {"jaw_open", 0.5, 0.1, 0.4}}},
       {"sleepy", {{"blink_", 1, 0.4, 0.8}, {"brow_outer_up_", 0.4, 0.1, 0.4}, {"jaw_open", 0.4, 0.1, 0.3}}},
-      {"kiss", {{"pucker", 1, 0.7, 1}, {"blink_", 0.7, 0.5, 1}, {"brow_inner_up_", 0.3, 0.2, 0.5}}},
+      {"kiss", {{"pucker", 1, 0.7, 1}, {"blink_", 0.85, 0.7, 1}, {"brow_inner_up_", 0.3, 0.2, 0.5}}},
       {"shout",
        {{"jaw_open", 1, 0.7, 1},
         {"brow_down_", 0.7, 0.4, 1},
@@ -123,6 +123,22 @@ std::vector<std::pair<std::string, Recipe>> random_faces(const Dice& dice, bool 
     faces.emplace_back(before + face.name, std::move(recipe));
   }
   return faces;
+}
+
+std::vector<Expression> more_expressions() {
+  return {{"half_lids", {{"blink_L", 0.5}, {"blink_R", 0.5}}},
+          {"half_lid_R", {{"blink_R", 0.5}}},
+          {"lower_teeth", {{"jaw_open", 0.35}, {"lower_down_L", 0.7}, {"lower_down_R", 0.7}}},
+          {"kiss", {{"pucker", 0.8}, {"blink_L", 0.85}, {"blink_R", 0.85}}},
+          {"joy", {{"smile_L", 0.7}, {"smile_R", 0.7}, {"blink_L", 0.6}, {"blink_R", 0.6}}},
+          {"scowl", {{"brow_down_L", 0.9}, {"brow_down_R", 0.9}, {"frown_L", 0.6}, {"frown_R", 0.6}}},
+          {"startled",
+           {{"wide_L", 0.8},
+            {"wide_R", 0.8},
+            {"brow_inner_up_L", 0.6},
+            {"brow_inner_up_R", 0.6},
+            {"brow_outer_up_L", 0.6},
+            {"brow_outer_up_R", 0.6}}}};
 }
 
 void add_random_poses(FaceBuilder& face, Dice dice, std::size_t count) {

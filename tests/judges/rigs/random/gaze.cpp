@@ -29,9 +29,10 @@ struct Gaze {
 }  // namespace
 
 void add_gaze(Parts& parts, const Dice& dice) {
-  Dice own = dice.about("gaze");
-  const bool turns = own.chance(0.75);
-  const double follows = own.chance(0.1) && turns ? 0 : own.real(0.2, 0.6);
+  Dice own = dice.about("form of gaze");
+  const bool turns = own.chance(0.6);
+  const double follows = own.chance(0.1) && turns ? 0 : own.real(0.2, turns ? 0.6 : 1.2);
+  const bool front_only = own.chance(0.4);
   std::array<Gaze, 4> gazes{
       {{"look_up_", {-1, 0, 0}}, {"look_down_", {1, 0, 0}}, {"look_left_", {0, 1, 0}}, {"look_right_", {0, -1, 0}}}};
   for (Gaze& gaze : gazes) {
@@ -44,12 +45,14 @@ void add_gaze(Parts& parts, const Dice& dice) {
   const std::size_t count = parts.rest().size();
   for (const auto& [side, ball] : parts.eyes) {
     std::vector<double> share(count, 0.0);
+    std::vector<double> is_ball(count, 0.0);
+    for (const std::uint32_t v : ball) is_ball[v] = 1;
     geometry::Box box;
-    for (const std::uint32_t v : ball) {
-      share[v] = 1;
-      box.add(parts.rest()[v]);
-    }
+    for (const std::uint32_t v : ball) box.add(parts.rest()[v]);
     const double radius = 0.5 * (box.maximum.y - box.minimum.y);
+    const double middle = box.center().z;
+    for (const std::uint32_t v : ball)
+      share[v] = front_only ? smooth_step(middle, middle + 0.4 * radius, parts.rest()[v].z) : 1;
     const ModelPoint& eye = marks.eyes[side == "L" ? 0 : 1];
     for (const Gaze& gaze : gazes) {
       const double half = 0.5 * gaze.front;
@@ -70,7 +73,7 @@ void add_gaze(Parts& parts, const Dice& dice) {
         lid("squint_", -gaze.lower);
       } else {
         auto lids = around(parts.rest(), eye, ModelVector{1, 0.8, 1} * marks.eye);
-        for (std::size_t v = 0; v < count; ++v) lids[v] *= 1 - share[v];
+        for (std::size_t v = 0; v < count; ++v) lids[v] *= 1 - is_ball[v];
         add_to(field, gaze.aside * way, pushed(lids, {gaze.axis.y, 0, 0}));
       }
       parts.fields[gaze.name + side] = std::move(field);
@@ -82,6 +85,7 @@ void add_lips_close(Parts& parts, const Dice& dice) {
   Dice own = dice.about("lips close");
   const double upper = own.real(0, 0.5);
   const double strength = own.real(0.8, 1.1);
+  const double below_lip = own.real(0.45, 2.2);
   const double w = parts.mouth;
   const Field& jaw = parts.field("jaw_open");
   const auto middle_of = [&](const char* line) {
@@ -89,7 +93,7 @@ void add_lips_close(Parts& parts, const Dice& dice) {
     return lip[lip.size() / 2];
   };
   const std::uint32_t low = middle_of("lip_lower");
-  const auto below = around(parts.rest(), parts.rest()[low], ModelVector{1.3, 0.5, 1.2} * w);
+  const auto below = around(parts.rest(), parts.rest()[low], ModelVector{1.3, below_lip, 1.2} * w);
   auto above = around(parts.rest(), parts.rest()[middle_of("lip_upper")], ModelVector{0.9, 0.4, 0.9} * w);
   for (std::size_t v = 0; v < above.size(); ++v) above[v] *= 1 - parts.jaw_share[v];
   Field field(parts.rest().size(), ModelVector{0});

@@ -1,6 +1,7 @@
 #include "tests/judges/rigs/random/joints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/math.h"
@@ -232,15 +233,62 @@ void add_mouth_joints(FaceJoints& joints, const Landmarks& marks, bool has_jaw, 
   joints.together("pucker", {"lip_corner_L", "lip_corner_R"});
 }
 
+/// Joints that no line speaks of: at the temples and in the hair, which carry a bit of the skin by the brows, and of a
+/// figure its fingers, toes and cloth, most of which carry nothing of this mesh.
+void add_others(FaceJoints& joints, FaceBuilder& face, const Parts& plain, const Landmarks& marks,
+                std::span<const BodyPiece> body, Dice own) {
+  const double w = marks.mouth_w;
+  const double share = own.real(0.15, 0.8);
+  const double reach = own.real(0.3, 0.8) * w;
+  const bool temples = own.chance(0.6);
+  const bool hair = own.chance(0.6);
+  for (const std::size_t i : {0U, 1U}) {
+    const std::string end = i == 0 ? "_L" : "_R";
+    const double out = i == 0 ? 1 : -1;
+    const ModelPoint brow = plain.rest()[plain.line("brow" + end).back()];
+    const auto carry = [&](std::size_t joint, const ModelPoint& at) {
+      auto skin = around(plain.rest(), at, ModelVector{1, 1, 1.5} * reach);
+      for (double& one : skin) one *= share;
+      face.carry(joint, skin);
+    };
+    if (temples) {
+      const ModelPoint at = brow + ModelVector{out * 0.35, 0.2, -0.2} * w;
+      carry(joints.add("temple" + end, "head", at, 40), at);
+    }
+    if (hair) {
+      const ModelPoint at = marks.brows[i] + ModelVector{out * 0.1, 0.9, 0} * w;
+      carry(joints.add("hair_front" + end, "head", at, 60), at);
+      joints.add("hair_tip" + end, "hair_front" + end, at + ModelVector{0, -0.4 * w, 0.5 * w}, 60);
+    }
+  }
+  if (body.empty()) return;
+  const double many = own.real(0, 1);
+  const auto count = static_cast<std::size_t>(6 + 120 * many * many * many);
+  constexpr std::array<const char*, 8> k_chains{"finger", "toe", "twist", "cloth", "tail", "strap", "weapon", "helper"};
+  for (std::size_t made = 0; made < count;) {
+    const std::string chain = std::string(own.one_of(k_chains)) + std::to_string(made) + "_";
+    const BodyPiece& piece = own.one_of(body);
+    std::string above = piece.name;
+    ModelPoint at = piece.at;
+    const std::size_t length = own.count(1, 4);
+    for (std::size_t k = 0; k < length; ++k, ++made) {
+      at += ModelVector{own.real(-1, 1), own.real(-1, 0.5), own.real(-1, 1)} * w;
+      const std::string word = chain + std::to_string(k);
+      joints.add(word, above, at, 60);
+      above = word;
+    }
+  }
+}
+
 }  // namespace
 
 JointPlan random_joint_plan(const Dice& dice) {
   Dice own = dice.about("joints");
   JointPlan plan;
   const double kind = own.real(0, 1);
-  if (kind < 0.45) return plan;
+  if (kind < 0.4) return plan;
   plan.head = true;
-  plan.body = own.chance(0.4);
+  plan.body = own.chance(0.55);
   plan.jaw = own.chance(0.6);
   if (kind > 0.85) {
     plan.jaw = plan.brows = plan.lids = plan.mouth = true;
@@ -261,6 +309,8 @@ void add_random_joints(FaceBuilder& face, const Parts& plain, const Landmarks& m
   add_skull(joints, face, plain, marks, body, plan, own);
   add_upper_face(joints, marks, plan, own);
   if (plan.mouth) add_mouth_joints(joints, marks, plan.jaw, own);
+  if (Dice(dice.about("has other joints")).chance(plan.body ? 0.75 : 0.2))
+    add_others(joints, face, plain, marks, body, dice.about("other joints"));
 }
 
 }  // namespace penpose::judges

@@ -8,6 +8,8 @@
 #include "tests/judges/rigs/random/density.h"
 #include "tests/judges/rigs/random/eye_pieces.h"
 #include "tests/judges/rigs/random/gaze.h"
+#include "tests/judges/rigs/random/habits.h"
+#include "tests/judges/rigs/random/head_pieces.h"
 #include "tests/judges/rigs/random/landmarks.h"
 #include "tests/judges/rigs/sculpt.h"
 
@@ -93,6 +95,15 @@ Where proportions(const Parts& parts, Dice dice) {
   };
 }
 
+/// How far a muscle goes, of what it was made for. Real smiles are large and brows and lids go but a little.
+double strength_of(const std::string& base, double lot) {
+  const auto between = [&](double low, double high) { return low + (high - low) * lot; };
+  if (base == "smile_") return between(0.7, 1.9);
+  if (base.starts_with("brow_")) return between(0.3, 1.2);
+  if (base == "wide_" || base == "cheek_" || base == "frown_") return between(0.35, 1.2);
+  return between(0.75, 1.3);
+}
+
 /// Every maker sculpts a muscle in a way of his own; sides are alike within a few per cent.
 void vary_muscles(Parts& parts, const Dice& dice) {
   const double uneven = Dice(dice.about("uneven")).real(0, 0.06);
@@ -102,9 +113,9 @@ void vary_muscles(Parts& parts, const Dice& dice) {
     Dice own = dice.about(base);
     const bool lid = base == "blink_" || base.starts_with("lid_");
     const bool rigid = base.starts_with("look_") || base.starts_with("jaw_") || name == "lips_close";
-    const double strength = plain ? 1 : lid ? own.real(0.9, 1.03) : own.real(0.75, 1.3);
+    const double strength = plain ? 1 : lid ? own.real(0.9, 1.03) : strength_of(base, own.real(0, 1));
     const double tilt = plain || lid || rigid || !has_side(name) ? 0 : own.real(-14, 14);
-    const double reach = plain || lid || rigid ? 0 : own.real(-0.3, 0.6);
+    const double reach = plain || lid || rigid ? 0 : own.real(-0.45, 0.5);
     const double side = Dice(dice.about(name)).about_one(lid ? 0.3 * uneven : uneven);
     const double turn = base::radians(name.ends_with("_R") ? -tilt : tilt);
     const double c = base::cos(turn);
@@ -199,7 +210,7 @@ void add_nonsense(Parts& parts) {
 /// Meshes of their own that go along with the skin, of which a face has some.
 void add_own_pieces(Parts& parts, const Dice& dice) {
   Dice own = dice.about("own pieces");
-  const double many = own.chance(0.3) ? 0 : own.real(0.3, 1);
+  const double many = own.chance(0.25) ? 0 : own.real(0.4, 1);
   Pieces pieces(parts);
   const bool lashes = own.chance(many);
   const bool shells = own.chance(many);
@@ -207,6 +218,13 @@ void add_own_pieces(Parts& parts, const Dice& dice) {
   if (lashes) add_lashes(pieces, parts, dice.about("lashes"));
   if (shells) add_eye_shells(pieces, parts, dice.about("shells"));
   if (brows) add_brow_hair(pieces, parts, dice.about("brow hair"));
+  const bool creature = !parts.mesh->find_part("teeth");
+  const bool inside = own.chance(creature ? many : 0.8 * many);
+  const bool hair = own.chance(0.5 * many);
+  const bool shoulders = own.chance(0.4 * many);
+  if (inside) add_mouth_inside(pieces, parts, dice.about("inside of the mouth"));
+  if (hair) add_hair_and_ears(pieces, parts, dice.about("hair and ears"));
+  if (shoulders) add_shoulders(pieces, parts, dice.about("shoulders"));
   std::move(pieces).attach(parts);
 }
 
@@ -226,6 +244,7 @@ Parts random_parts(const Dice& dice) {
   parts = reshaped(parts, proportions(parts, dice.about("proportions")));
   if (own.chance(0.5) && parts.rest().size() > 1500) parts = thinned(parts, own.real(0.12, 0.8));
   vary_muscles(parts, dice.about("muscles"));
+  add_habits(parts, dice);
   add_lips_close(parts, dice);
   Dice pieces = dice.about("pieces");
   if (parts.eyes.empty() && pieces.chance(0.6)) add_balls(parts, dice.about("balls"));

@@ -48,7 +48,9 @@ Means lacking(const JointPlan& plan, const Parts& parts, const Dice& dice) {
   Dice own = dice.about("lacks");
   const auto without = [&](double share, bool joints) { return own.chance(share) || (joints && own.chance(0.8)); };
   const bool all = plan.brows && plan.lids && plan.mouth;
-  const bool no_brows = without(0.1, plan.brows) || all;
+  // Figures are often made to speak, not to frown.
+  const bool speaks_only = Dice(dice.about("speaks only")).chance(plan.body ? 0.45 : 0.04);
+  const bool no_brows = without(0.1, plan.brows) || all || (speaks_only && !plan.brows);
   const bool no_lids = without(0.08, plan.lids) || all;
   const bool no_mouth = without(0.02, plan.mouth) || all;
   const bool no_frown = own.chance(0.15);
@@ -120,6 +122,7 @@ Rig random_rig(std::uint64_t seed) {
   const std::size_t turns = face.acts().size();
   std::string shapes = add_random_shapes(face, parts, names, dice);
   if (face.acts().size() == turns) shapes = "no shapes";
+  face.also_known(more_expressions());
   Dice poses = dice.about("poses");
   add_random_poses(face, poses, poses.count(10, 15));
   Rig rig = face.build();

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "tests/judges/rigs/control_words.h"
 #include "tests/judges/rigs/random/faces.h"
 #include "tests/judges/rigs/sets.h"
 
@@ -111,7 +112,7 @@ class Planned {
   std::vector<Shape> shapes_;
 };
 
-void add_muscles(Planned& planned, const Dice& dice, double rich) {
+void add_muscles(Planned& planned, const Dice& dice, double rich, const Means& without) {
   const bool whole_brows = Dice(dice.about("whole brows")).chance(0.4);
   const bool parts_of_brows = !whole_brows || Dice(dice.about("parts of brows")).chance(0.4);
   for (const Muscle& muscle : k_muscles) {
@@ -119,6 +120,7 @@ void add_muscles(Planned& planned, const Dice& dice, double rich) {
     const double share = std::min(1.0, muscle.common * (0.35 + 0.8 * rich));
     const bool gaze = name.starts_with("look_");
     if (!Dice(dice.about(gaze ? "gaze" : "has " + name)).chance(share)) continue;
+    if (has(without, name)) continue;
     if (!parts_of_brows && (name == "brow_inner_up_" || name == "brow_outer_up_")) continue;
     if (name.back() == '_') {
       planned.paired(name, {{name, 1}});
@@ -127,6 +129,21 @@ void add_muscles(Planned& planned, const Dice& dice, double rich) {
     }
   }
   if (whole_brows) planned.paired("brow_up_", {{"brow_inner_up_", 1}, {"brow_outer_up_", 1}});
+}
+
+/// Mouths that no single muscle makes, where a rig has no others that are narrow or open. Returns the muscles that are
+/// left out for them.
+Means add_mixed_mouths(Planned& planned, Dice own) {
+  Means without;
+  if (own.chance(0.75)) {
+    if (own.chance(0.8)) planned.shape("ooh", {{"pucker", own.real(0.7, 1)}, {"jaw_open", own.real(0.1, 0.35)}});
+    without = {"pucker", "funnel"};
+  }
+  if (without.empty() || own.chance(0.6)) {
+    planned.shape("open_mouth", {{"jaw_open", own.real(0.75, 1)}, {"pucker", own.real(0.15, 0.45)}});
+    without.emplace_back("jaw_open");
+  }
+  return without;
 }
 
 void add_halves_of(Planned& planned, const Dice& dice) {
@@ -181,16 +198,19 @@ std::string add_random_shapes(FaceBuilder& face, const Parts& parts, Names& name
   const bool vrm = set >= 0.14 && set < 0.3;
   const bool alone = vrm && own.chance(0.35);
   if (arkit) add_arkit(face);
-  if (!alone && (!arkit || own.chance(0.3))) add_muscles(planned, dice, arkit ? 0.2 * rich : rich);
+  const bool mixed = !arkit && !alone && Dice(dice.about("mixed mouths")).chance(0.22);
+  Means without;
+  if (mixed) without = add_mixed_mouths(planned, dice.about("forms of mixed mouths"));
+  if (!alone && (!arkit || own.chance(0.3))) add_muscles(planned, dice, arkit ? 0.2 * rich : rich, without);
   if (alone) {
     planned.paired("blink_", {{"blink_", 1}});
     planned.shape("jaw_open", {{"jaw_open", 0.8}});
   }
   const std::array<const char*, 5> k_before{"viseme_", "", "Fcl_MTH_", "V_", "mouth_"};
   const std::string before = own.one_of(k_before);
-  if (vrm || own.chance(0.2)) add_visemes(face, before);
-  if (vrm || own.chance(0.35)) {
-    for (const auto& [name, recipe] : random_faces(dice, vrm)) planned.emote(name, recipe);
+  if (vrm || (own.chance(0.2) && !mixed)) add_visemes(face, before);
+  if (vrm || own.chance(0.35) || mixed) {
+    for (const auto& [name, recipe] : random_faces(dice, vrm || mixed)) planned.emote(name, recipe);
   }
   if (many || own.chance(0.25)) add_halves_of(planned, dice.about("halves"));
   if (many || own.chance(0.3)) add_sums(planned, dice.about("sums"), many ? own.count(50, 150) : own.count(2, 12));
