@@ -71,7 +71,7 @@ constexpr std::array k_spills{
 Taste::Taste(const Parts& parts, const Dice& dice) : parts_(parts), dice_(dice) {
   Dice own = dice.about("taste");
   spill_ = own.chance(0.25) ? 0 : own.real(0.3, 1);
-  strength_ = own.chance(0.3) ? 0 : own.real(0.1, 0.8);
+  strength_ = own.chance(0.5) ? 0 : own.real(0.05, 0.4);
   lacks_ = own.chance(0.5) ? 0 : own.real(0, 0.25);
   weak_smiles_ = Dice(dice.about("weak smiles")).chance(0.2);
 }
