@@ -27,13 +27,13 @@ std::uint32_t beside(const std::vector<std::uint32_t>& other, std::size_t i, std
 
 void add_lashes(Pieces& pieces, const Parts& parts, Dice dice) {
   const Landmarks marks = landmarks_of(parts);
-  const double length = dice.real(0.15, 0.7) * marks.eye;
+  const double length = dice.real(0.15, 0.9) * marks.eye;
   const double tips = dice.real(1.05, 1.8);
   const double up = dice.real(0.2, 0.9);
   const bool lower = dice.chance(0.4);
   const bool cards = dice.chance(0.4);
-  const std::size_t rows = dice.chance(0.5) ? dice.count(2, 4) : dice.count(5, 16);
-  const std::size_t between = dice.chance(0.5) ? 1 : dice.count(2, 6);
+  const std::size_t rows = dice.chance(0.4) ? dice.count(2, 4) : dice.count(5, 20);
+  const std::size_t between = dice.chance(0.4) ? 1 : dice.count(2, 8);
   for (const Side& side : sides()) {
     for (const bool upper : {true, false}) {
       if (!upper && !lower) continue;

@@ -30,7 +30,7 @@ struct Gaze {
 
 void add_gaze(Parts& parts, const Dice& dice) {
   Dice own = dice.about("form of gaze");
-  const bool turns = own.chance(0.6);
+  const bool turns = own.chance(0.42);
   const double follows = own.chance(0.1) && turns ? 0 : own.real(0.2, turns ? 0.6 : 1.2);
   const bool front_only = own.chance(0.4);
   std::array<Gaze, 4> gazes{
@@ -85,7 +85,8 @@ void add_lips_close(Parts& parts, const Dice& dice) {
   Dice own = dice.about("lips close");
   const double upper = own.real(0, 0.5);
   const double strength = own.real(0.8, 1.1);
-  const double below_lip = own.real(0.45, 2.2);
+  const double below_lip = own.real(0.45, 1.9);
+  const double lower_by = own.chance(0.5) ? 0 : own.real(0, 0.6);
   const double w = parts.mouth;
   const Field& jaw = parts.field("jaw_open");
   const auto middle_of = [&](const char* line) {
@@ -93,7 +94,8 @@ void add_lips_close(Parts& parts, const Dice& dice) {
     return lip[lip.size() / 2];
   };
   const std::uint32_t low = middle_of("lip_lower");
-  const auto below = around(parts.rest(), parts.rest()[low], ModelVector{1.3, below_lip, 1.2} * w);
+  const auto below = around(parts.rest(), parts.rest()[low] - ModelVector{0, lower_by * w, 0},
+                            ModelVector{1.3, lower_by + below_lip, 1.2} * w);
   auto above = around(parts.rest(), parts.rest()[middle_of("lip_upper")], ModelVector{0.9, 0.4, 0.9} * w);
   for (std::size_t v = 0; v < above.size(); ++v) above[v] *= 1 - parts.jaw_share[v];
   Field field(parts.rest().size(), ModelVector{0});

@@ -17,9 +17,9 @@ struct Habit {
 };
 
 constexpr std::array k_along{Habit{"smile_", "cheek_", 0, 0.9},       Habit{"smile_", "squint_", 0, 0.2},
-                             Habit{"puff_", "pucker", 0.1, 0.6},      Habit{"puff_", "shrug_lower", 0, 0.4},
+                             Habit{"puff_", "pucker", 0.1, 0.9},      Habit{"puff_", "shrug_lower", 0, 0.4},
                              Habit{"press_", "shrug_lower", 0, 0.9},  Habit{"press_", "shrug_upper", 0, -0.5},
-                             Habit{"press_", "dimple_", 0, 0.6},      Habit{"sneer_", "upper_up_", 0.05, 1.3},
+                             Habit{"press_", "dimple_", 0, 0.6},      Habit{"sneer_", "upper_up_", 0.05, 1.7},
                              Habit{"sneer_", "cheek_", 0, 0.3},       Habit{"cheek_", "upper_up_", 0.05, 0.4},
                              Habit{"cheek_", "squint_", 0, 0.3},      Habit{"dimple_", "cheek_", 0, 0.8},
                              Habit{"dimple_", "smile_", 0, 0.25},     Habit{"frown_", "shrug_lower", 0, 0.35},
@@ -34,16 +34,16 @@ struct Reach {
 };
 
 constexpr std::array k_reaches{
-    Reach{"brow_inner_up_", -0.2, 1, 1.1}, Reach{"brow_outer_up_", 0.1, 1, 1.1}, Reach{"brow_down_", 0, 1, 1},
-    Reach{"frown_", 0.1, -1, 1},           Reach{"smile_", 0.7, 0.6, 0.5},       Reach{"dimple_", 0.8, 0.3, 0.8},
-    Reach{"sneer_", 0.2, -0.8, 0.6},       Reach{"stretch_", 0.3, -0.8, 0.8},    Reach{"squint_", 0.2, -1, 0.6}};
+    Reach{"brow_inner_up_", -0.2, 1, 2}, Reach{"brow_outer_up_", 0.1, 1, 1.3}, Reach{"brow_down_", 0, 1, 1},
+    Reach{"frown_", 0.1, -1, 1.2},       Reach{"smile_", 0.7, 0.6, 0.7},       Reach{"dimple_", 0.8, 0.3, 0.8},
+    Reach{"sneer_", 0.2, -0.8, 0.6},     Reach{"stretch_", 0.3, -0.8, 0.8},    Reach{"squint_", 0.2, -1, 0.6}};
 
 void add_reaches(Parts& parts, Dice own) {
   const double w = parts.mouth;
   for (const Reach& reach : k_reaches) {
     const double share = own.chance(0.2) ? 0 : own.real(0, reach.most);
     const double far = own.real(0.2, 1.4);
-    const ModelVector radii = ModelVector{own.real(0.6, 2), own.real(0.5, 1.5), 1.6} * w;
+    const ModelVector radii = ModelVector{own.real(0.6, 2.6), own.real(0.5, 1.9), 1.6} * w;
     for (const char* side : {"L", "R"}) {
       Field& field = parts.fields[std::string(reach.muscle) + side];
       const auto peak = std::max_element(field.begin(), field.end(), [](const ModelVector& a, const ModelVector& b) {
@@ -65,9 +65,9 @@ void add_reaches(Parts& parts, Dice own) {
 /// Lips that press each other take the chin along.
 void add_chin(Parts& parts, Dice own) {
   const Landmarks marks = landmarks_of(parts);
-  const double share = own.real(0, 1.3);
-  const ModelPoint at = marks.mouth + (marks.chin - marks.mouth) * own.real(0.4, 1);
-  const ModelVector radii = ModelVector{own.real(0.6, 1.4), own.real(0.4, 0.9), 1} * parts.mouth;
+  const double share = own.real(0, 2);
+  const ModelPoint at = marks.mouth + (marks.chin - marks.mouth) * own.real(0.5, 1.5);
+  const ModelVector radii = ModelVector{own.real(0.6, 1.8), own.real(0.4, 1.2), 1.4} * parts.mouth;
   for (const char* side : {"L", "R"}) {
     Field& field = parts.fields[std::string("press_") + side];
     double most = 0;

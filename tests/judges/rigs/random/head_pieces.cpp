@@ -35,8 +35,8 @@ void add_mouth_inside(Pieces& pieces, const Parts& parts, Dice dice) {
   const std::uint32_t low = lip[lip.size() / 2];
   const double share = dice.real(0.7, 1);
   const double tongue_share = dice.real(0.5, 0.9);
-  const std::size_t columns = dice.count(9, 80);
-  const std::size_t rows = dice.count(2, 20);
+  const std::size_t columns = dice.count(9, 100);
+  const std::size_t rows = dice.count(2, 28);
   const double tall = dice.real(0.15, 0.3) * w;
   const double width = dice.real(0.55, 0.8) * w;
   const ModelPoint middle = marks.mouth - ModelVector{0, 0, dice.real(0.15, 0.35) * w};

@@ -288,7 +288,7 @@ JointPlan random_joint_plan(const Dice& dice) {
   const double kind = own.real(0, 1);
   if (kind < 0.4) return plan;
   plan.head = true;
-  plan.body = own.chance(0.55);
+  plan.body = own.chance(0.6);
   plan.jaw = own.chance(0.6);
   if (kind > 0.85) {
     plan.jaw = plan.brows = plan.lids = plan.mouth = true;

@@ -99,8 +99,10 @@ Where proportions(const Parts& parts, Dice dice) {
 double strength_of(const std::string& base, double lot) {
   const auto between = [&](double low, double high) { return low + (high - low) * lot; };
   if (base == "smile_") return between(0.7, 1.9);
-  if (base.starts_with("brow_")) return between(0.3, 1.2);
+  if (base.starts_with("brow_")) return between(0.2, 1.1);
   if (base == "wide_" || base == "cheek_" || base == "frown_") return between(0.35, 1.2);
+  if (base == "jaw_open") return between(0.75, 2);
+  if (base == "puff_") return between(0.8, 3);
   return between(0.75, 1.3);
 }
 

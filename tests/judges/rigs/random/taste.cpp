@@ -39,7 +39,7 @@ constexpr std::array k_spills{
     Spill{"blink_", "cheek_", 0.15},
     Spill{"blink_", "brow_down_", 0.1},
     Spill{"wide_", "brow_outer_up_", 0.2},
-    Spill{"jaw_open", "lower_down_", 0.25},
+    Spill{"jaw_open", "lower_down_", 0.4},
     Spill{"jaw_open", "frown_", 0.12},
     Spill{"jaw_open", "pucker", 0.2},
     Spill{"upper_up_", "sneer_", 0.35},
