@@ -14,6 +14,7 @@ enum class Term : std::uint8_t {
   unit,        ///< units that move
   elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
   distant,     ///< log(1 + (largest way far from the lines over the largest near them) squared)
+  around,      ///< mean square of a unit's way around the lines over that near them, at most 1: a head moves all alike
   mirrored,    ///< log(1 + what a unit moves at the mirror image of the lines over what it moves near them, both squared)
   turned,      ///< log(1 + (how much a unit turns a piece of the mesh without lines, as gaze does an eyeball, over its
                ///< largest way near the lines) squared)
@@ -28,6 +29,7 @@ enum class Term : std::uint8_t {
   crosses,     ///< how deep a control drives lips through each other, 0 to 1
   lopsided,    ///< how much a unit does on one side of what the lines ask for on both, 0 to 1
   against,     ///< cosine of two units' fields beyond a tenth against each other
+  opposed,     ///< how much two units move the same places against each other, 0 to 1
   twice,       ///< cosine of two units' fields beyond three tenths alike
   helper,      ///< how much a unit moves what another one moves already, 0 to 1
   limit,       ///< units near an end of their range, 0 to 1 each

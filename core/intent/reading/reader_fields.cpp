@@ -155,6 +155,7 @@ void Reader::measure_fields() {
   // Where both sides are drawn, the other side of one is near the other.
   const double alone = images.empty() ? 0.0 : static_cast<double>(mirrored.size()) / static_cast<double>(images.size());
   const double one_sided = std::max(0.0, 2.0 * alone - 1.0);
+  near_count_ = near.size();
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -183,6 +184,9 @@ void Reader::measure_fields() {
       const auto& farthest = whole_.farthest[first + k];
       const auto far = std::find_if(farthest.begin(), farthest.end(), [&](std::uint32_t s) { return is_distant[s]; });
       if (far != farthest.end()) one.distant_way += by[k] * by[k] * square_of(field[*far]);
+      for (const std::uint32_t s : whole_.farthest[first + k]) {
+        if (!is_distant[s] && !is_near[s]) one.around_square += by[k] * by[k] * square_of(field[s]);
+      }
       for (std::size_t i = 0; i < mirrored.size(); ++i) opposite[i] += field[mirrored[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
@@ -196,6 +200,7 @@ void Reader::measure_fields() {
     one.far_square = std::max(0.0, whole - one.near_square);
     for (const ModelVector& way : opposite) one.mirrored_square += one_sided * square_of(way);
     one.distant_way = std::sqrt(one.distant_way);
+    one.around_square /= static_cast<double>(std::max<std::size_t>(1, not_far.size() - near.size()));
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
     one.usual_way = std::sqrt(usual);
@@ -239,6 +244,9 @@ const Reader::Relation& Reader::relation(std::size_t a, std::size_t b) const {
   if (size > 0.0) {
     one->likeness = algebra::dot(&own.near.front().x, &other.near.front().x, 3 * own.near.size()) / size;
     one->overlap = algebra::dot(own.ways.data(), other.ways.data(), own.ways.size()) / size;
+    double against = 0;
+    for (std::size_t i = 0; i < own.near.size(); ++i) against += std::max(0.0, -glm::dot(own.near[i], other.near[i]));
+    one->opposed = against / size;
   }
   for (std::size_t t = 0; t < turns_.size(); ++t) {
     if (turns_joint(a, t) && turns_joint(b, t)) one->likeness = 1.0;
@@ -310,7 +318,7 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, around = 0, scattered = 0, parts = 1, fringe = 1e3, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
@@ -319,6 +327,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     distant = std::max(distant, fields_[v].distant_way);
     mirrored += fields_[v].mirrored_square;
     turn = std::max(turn, fields_[v].turn);
+    around += fields_[v].around_square;
     scattered = std::max(scattered, fields_[v].scattered_way);
     usual = std::max(usual, fields_[v].usual_way);
     fringe = std::min(fringe, fields_[v].fringe);
@@ -335,6 +344,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     return base::log(1.0 + share * share);
   };
   terms[Term::distant] = beside_near(distant);
+  terms[Term::around] = near > 0.0 ? std::min(1.0, around * static_cast<double>(near_count_) / near) : 1.0;
   terms[Term::turned] = beside_near(turn);
   terms[Term::scattered] = beside_near(scattered);
   const std::size_t first = parameter_of(unit.members[0]);

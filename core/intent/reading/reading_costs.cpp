@@ -43,6 +43,14 @@ double ReadingCosts::overlap(std::size_t a, std::size_t b) const {
   return most;
 }
 
+double ReadingCosts::opposed(std::size_t a, std::size_t b) const {
+  double most = 0;
+  for (const std::size_t i : members_of(choices_.units[a])) {
+    for (const std::size_t k : members_of(choices_.units[b])) most = std::max(most, relations_.opposed(i, k));
+  }
+  return most;
+}
+
 bool ReadingCosts::excludes(std::size_t a, std::size_t b) const {
   for (const std::size_t i : members_of(choices_.units[a])) {
     for (const std::size_t k : members_of(choices_.units[b])) {
@@ -57,7 +65,8 @@ double ReadingCosts::cost_of_relations(std::span<const std::size_t> units, std::
   double helps = 0;
   for (const std::size_t other : units) {
     const double like = likeness(other, unit);
-    sum += weights_.by[Term::against] * std::max(0.0, -like - 0.1) + weights_.by[Term::twice] * std::max(0.0, like - 0.3);
+    sum += weights_.by[Term::against] * std::max(0.0, -like - 0.1) + weights_.by[Term::twice] * std::max(0.0, like - 0.3) +
+           weights_.by[Term::opposed] * opposed(other, unit);
     helps = std::max(helps, overlap(other, unit));
   }
   return sum + weights_.by[Term::helper] * helps;
@@ -69,6 +78,7 @@ void ReadingCosts::add_relations(std::span<const std::size_t> units, std::size_t
     const double like = likeness(other, unit);
     terms[Term::against] += std::max(0.0, -like - 0.1);
     terms[Term::twice] += std::max(0.0, like - 0.3);
+    terms[Term::opposed] += opposed(other, unit);
     helps = std::max(helps, overlap(other, unit));
   }
   terms[Term::helper] += helps;

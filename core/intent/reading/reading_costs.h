@@ -13,6 +13,8 @@ class Relations {
   [[nodiscard]] virtual double likeness(std::size_t a, std::size_t b) const = 0;
   /// How much they move the same places, in whatever direction: 0 to 1.
   [[nodiscard]] virtual double overlap(std::size_t a, std::size_t b) const = 0;
+  /// How much they move the same places against each other: 0 to 1.
+  [[nodiscard]] virtual double opposed(std::size_t a, std::size_t b) const = 0;
   /// Whether a variable is a joint's.
   [[nodiscard]] virtual bool is_joint(std::size_t variable) const = 0;
   /// Whether a variable moves a curve of a group.
@@ -51,6 +53,7 @@ class ReadingCosts final : public ChoiceCosts {
   /// Of the members' pairs the one farthest from 0.
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
+  [[nodiscard]] double opposed(std::size_t a, std::size_t b) const;
   void add_relations(std::span<const std::size_t> units, std::size_t unit, inference::Terms& terms) const;
   /// Of the groups that none of the units moves: a line that asks for more than the hand's doubt is not drawn for
   /// nothing.

@@ -15,6 +15,29 @@ struct Meant {
   std::vector<std::string> accepted;
 };
 
+/// The muscles that a control moves, whatever side.
+std::vector<std::string> muscles_of(const Meaning& meaning) {
+  std::vector<std::string> muscles;
+  for (std::string word : meaning.means) {
+    if (word.ends_with("_L") || word.ends_with("_R")) word.resize(word.size() - 2);
+    muscles.push_back(word);
+  }
+  std::sort(muscles.begin(), muscles.end());
+  muscles.erase(std::unique(muscles.begin(), muscles.end()), muscles.end());
+  return muscles;
+}
+
+/// Whether the rig has a control that does what is needed and less beside it: then that one is meant.
+bool has_purer(const Rig& rig, const Meaning& meaning, const std::vector<std::string>& group) {
+  const auto own = muscles_of(meaning);
+  return std::any_of(rig.meanings.begin(), rig.meanings.end(), [&](const Meaning& other) {
+    const auto muscles = muscles_of(other);
+    return !muscles.empty() && muscles.size() < own.size() &&
+           std::includes(own.begin(), own.end(), muscles.begin(), muscles.end()) &&
+           std::any_of(other.means.begin(), other.means.end(), [&](const auto& m) { return has(group, m); });
+  });
+}
+
 Meant meant_on(const Rig& rig, const GestureKind& kind) {
   std::vector<std::string> allowed = kind.accepted;
   for (const auto& group : kind.needed) allowed.insert(allowed.end(), group.begin(), group.end());
@@ -30,7 +53,7 @@ Meant meant_on(const Rig& rig, const GestureKind& kind) {
     for (std::size_t g = 0; g < kind.needed.size(); ++g) {
       const bool in = std::any_of(meaning.means.begin(), meaning.means.end(),
                                   [&](const auto& m) { return has(kind.needed[g], m); });
-      if (in) meant.needed[g].push_back(meaning.control);
+      if (in && (turns || !has_purer(rig, meaning, kind.needed[g]))) meant.needed[g].push_back(meaning.control);
       needed = needed || in;
     }
     const bool helps =
