@@ -15,25 +15,19 @@ struct Meant {
   std::vector<std::string> accepted;
 };
 
-/// The muscles that a control moves, whatever side.
-std::vector<std::string> muscles_of(const Meaning& meaning) {
-  std::vector<std::string> muscles;
-  for (std::string word : meaning.means) {
-    if (word.ends_with("_L") || word.ends_with("_R")) word.resize(word.size() - 2);
-    muscles.push_back(word);
-  }
-  std::sort(muscles.begin(), muscles.end());
-  muscles.erase(std::unique(muscles.begin(), muscles.end()), muscles.end());
-  return muscles;
+/// Muscles that a control moves beyond those that are needed.
+std::size_t beyond(const Meaning& meaning, const GestureKind& kind) {
+  return static_cast<std::size_t>(std::count_if(meaning.means.begin(), meaning.means.end(), [&](const std::string& m) {
+    return std::none_of(kind.needed.begin(), kind.needed.end(), [&](const auto& group) { return has(group, m); });
+  }));
 }
 
-/// Whether the rig has a control that does what is needed and less beside it: then that one is meant.
-bool has_purer(const Rig& rig, const Meaning& meaning, const std::vector<std::string>& group) {
-  const auto own = muscles_of(meaning);
-  return std::any_of(rig.meanings.begin(), rig.meanings.end(), [&](const Meaning& other) {
-    const auto muscles = muscles_of(other);
-    return !muscles.empty() && muscles.size() < own.size() &&
-           std::includes(own.begin(), own.end(), muscles.begin(), muscles.end()) &&
+/// Whether the rig has a control that does what is needed and nothing beside it, where this one does more: then that
+/// one is meant.
+bool has_purer(const Rig& rig, const Meaning& meaning, const GestureKind& kind,
+               const std::vector<std::string>& group) {
+  return beyond(meaning, kind) > 0 && std::any_of(rig.meanings.begin(), rig.meanings.end(), [&](const Meaning& other) {
+    return beyond(other, kind) == 0 &&
            std::any_of(other.means.begin(), other.means.end(), [&](const auto& m) { return has(group, m); });
   });
 }
@@ -53,7 +47,7 @@ Meant meant_on(const Rig& rig, const GestureKind& kind) {
     for (std::size_t g = 0; g < kind.needed.size(); ++g) {
       const bool in = std::any_of(meaning.means.begin(), meaning.means.end(),
                                   [&](const auto& m) { return has(kind.needed[g], m); });
-      if (in && (turns || !has_purer(rig, meaning, kind.needed[g]))) meant.needed[g].push_back(meaning.control);
+      if (in && (turns || !has_purer(rig, meaning, kind, kind.needed[g]))) meant.needed[g].push_back(meaning.control);
       needed = needed || in;
     }
     const bool helps =
