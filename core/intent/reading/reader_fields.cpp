@@ -123,6 +123,8 @@ std::vector<std::uint32_t> Reader::samples_near_curves() const {
 void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_near_curves();
+  std::vector<std::size_t> place_in_near(fields.places().size(), near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) place_in_near[near[i]] = i;
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -141,8 +143,11 @@ void Reader::measure_fields() {
     double whole = 0;
     double usual = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const auto field = fields.field(first + k);
-      for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
+      const ControlField field = fields.field(first + k);
+      for (std::size_t i = 0; i < field.samples.size(); ++i) {
+        const std::size_t place = place_in_near[field.samples[i]];
+        if (place < near.size()) one.near[place] += field.ways[i] * by[k];
+      }
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
