@@ -14,7 +14,8 @@ enum class Term : std::uint8_t {
   unit,        ///< units that move
   elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
   distant,     ///< log(1 + (largest way far from the lines over the largest near them) squared)
-  around,      ///< mean square of a unit's way around the lines over that near them, at most 1: a head moves all alike
+  around,      ///< of joints: mean square of their way around the lines over that near them, at most 1: a head moves
+               ///< all alike
   mirrored,    ///< log(1 + what a unit moves at the mirror image of the lines over what it moves near them, both squared)
   turned,      ///< log(1 + (how much a unit turns a piece of the mesh without lines, as gaze does an eyeball, over its
                ///< largest way near the lines) squared)
@@ -41,7 +42,8 @@ enum class Term : std::uint8_t {
   left_out,    ///< the shares of curves that are left out so
   overshot,    ///< lines that are read as longer than their curve
   one_end,     ///< by how much they are longer at one end alone
-  determined,  ///< log of how exactly the lines determine the values: the curvature over the prior's (Laplace)
+  determined,  ///< log of how exactly the lines determine the turns of joints (Laplace): half of the log of the
+               ///< determinant of the curvature
   taught,      ///< what the artist's choices on this rig taught of a unit; below 0 where it is meant more often
   astray,      ///< how far what the lines do is from the way that was asked: -log of the cosine's square
   leaning,     ///< joints that lean as joints rarely do

@@ -7,8 +7,6 @@
 namespace penpose::rig {
 namespace {
 
-ModelPoint transform(const glm::dmat4& matrix, const ModelPoint& p) { return ModelPoint(matrix * glm::dvec4(p, 1.0)); }
-
 class BoundCharacter final : public BoundVertices {
  public:
   BoundCharacter(const CharacterRig& rig, std::span<const std::uint32_t> vertices)
@@ -30,7 +28,7 @@ class BoundCharacter final : public BoundVertices {
     for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = rest_[k] + displacements_[k];
     if (rig_.skeleton() == nullptr) return;
     turn_joints(layer_values(pose, layers_.size()));
-    for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = transform(vertex_matrices_[k], positions[k]);
+    for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = carried(vertex_matrices_[k], positions[k]);
   }
 
   [[nodiscard]] bool moves(std::size_t parameter) const override {
@@ -167,7 +165,7 @@ void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> 
   std::vector<glm::dmat4> matrices(skeleton_->joints().size());
   skeleton_->joint_matrices(pose.subspan(first_parameter_[layers_.size()]), matrices);
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    positions[v] = transform(skeleton_->vertex_matrix(v, matrices), positions[v]);
+    positions[v] = carried(skeleton_->vertex_matrix(v, matrices), positions[v]);
   }
 }
 

@@ -34,6 +34,11 @@ struct Influence {
   double weight = 0;
 };
 
+/// Where a matrix takes a point.
+[[nodiscard]] inline ModelPoint carried(const glm::dmat4& matrix, const ModelPoint& p) {
+  return ModelPoint(matrix * glm::dvec4(p, 1.0));
+}
+
 /// Linear blend skinning. Vertex v is carried by influences[first_influence[v] .. first_influence[v + 1]); weights sum
 /// to one, and a vertex without influences stays where it is.
 class Skeleton {
@@ -78,8 +83,8 @@ class PosedJoints {
   PosedJoints(const Skeleton& skeleton, std::vector<bool> wanted);
   /// Takes the parameter values of the skeleton.
   void turn(std::span<const double> values) { turn(values, wanted_); }
-  /// The same where no joint outside of `joints`, wanted ones in ascending order, is turned otherwise than before, nor
-  /// hangs below one of them.
+  /// The same where no joint outside of `joints`, wanted ones each after its parent, is turned otherwise than before,
+  /// nor hangs below one of them.
   void turn(std::span<const double> values, std::span<const std::uint32_t> joints);
   /// Whether the last turn changed a joint's matrix.
   [[nodiscard]] bool changed(std::uint32_t joint) const { return changed_[joint]; }

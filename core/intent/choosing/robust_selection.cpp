@@ -94,27 +94,19 @@ Choice RobustSelection::fit(std::vector<std::size_t> units) {
 }
 
 double RobustSelection::determined(const Choice& choice) {
-  const std::size_t all = choice.variables.size();
-  if (all == 0) return 0.0;
+  std::vector<std::size_t> joints;
+  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
+    if (costs_.is_joint(choice.variables[i])) joints.push_back(i);
+  }
+  const std::size_t n = joints.size();
+  if (n == 0) return 0.0;
   doubt_.weights(squares_, weights_);
   set_up(choice, weights_);
-  // The sides of a pair move as one.
-  std::vector<std::size_t> first_of(all);
-  for (std::size_t i = 0; i < all; ++i) first_of[i] = i;
-  for (const std::size_t u : choice.units) {
-    const Unit& unit = choices_.units[u];
-    if (unit.tied) first_of[index_in(choice.variables, unit.members[1])] = index_in(choice.variables, unit.members[0]);
+  std::vector<double> matrix(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) matrix[i * n + k] = matrix_[joints[i] * choice.variables.size() + joints[k]];
+    matrix[i * n + i] += 1.0;
   }
-  std::vector<std::size_t> place(all, 0);
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < all; ++i) {
-    if (first_of[i] == i) place[i] = n++;
-  }
-  std::vector<double> matrix(n * n, 0.0);
-  for (std::size_t i = 0; i < all; ++i) {
-    for (std::size_t k = 0; k < all; ++k) matrix[place[first_of[i]] * n + place[first_of[k]]] += matrix_[i * all + k];
-  }
-  for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] += 1.0;
   if (!algebra::factor(matrix.data(), n, k_least_pivot)) return 0.0;
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) sum += base::log(matrix[i * n + i]);

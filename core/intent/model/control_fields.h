@@ -15,6 +15,12 @@ using geometry::ModelVector;
 
 [[nodiscard]] inline double square_of(const ModelVector& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
+/// What a control does to samples of a model: those that it moves, ascending, and the way of each.
+struct ControlField {
+  std::span<const std::uint32_t> samples;
+  std::span<const ModelVector> ways;
+};
+
 /// What each control does to the whole model, on a sample of its vertices.
 class ControlFields {
  public:
@@ -22,16 +28,19 @@ class ControlFields {
   /// Chooses samples, evenly by number. `rest`: positions at rest.
   explicit ControlFields(std::span<const ModelPoint> rest);
 
-  /// Adds the next parameter's field: `per` times the way of each vertex. `moved` empty: it moves nothing.
-  void add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per);
+  /// Adds the next parameter's field: `per` times the way of each of some vertices, ascending, that it may move.
+  void add(std::span<const std::uint32_t> vertices, std::span<const ModelPoint> rest, std::span<const ModelPoint> moved,
+           double per);
 
   [[nodiscard]] std::size_t control_count() const { return fields_.size(); }
   /// The vertices that are samples, ascending.
   [[nodiscard]] std::span<const std::uint32_t> samples() const { return samples_; }
   /// The samples at rest.
   [[nodiscard]] std::span<const ModelPoint> places() const { return places_; }
-  /// Model units for the parameter's whole range; of a joint's angle for a radian. One a sample.
-  [[nodiscard]] std::span<const ModelVector> field(std::size_t control) const { return fields_[control]; }
+  /// Model units for the parameter's whole range; of a joint's angle for a radian.
+  [[nodiscard]] ControlField field(std::size_t control) const {
+    return {fields_[control].samples, fields_[control].ways};
+  }
   /// Inner product of two fields.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const;
   /// The same as product(control, control - back), kept for the angles of one joint. Precondition: back is 1 or 2.
@@ -44,9 +53,16 @@ class ControlFields {
   [[nodiscard]] double usual_way(std::size_t control) const { return usual_ways_[control]; }
 
  private:
+  struct Moved {
+    std::vector<std::uint32_t> samples;
+    std::vector<ModelVector> ways;
+  };
+
+  std::size_t step_ = 1;
+  std::vector<std::uint32_t> sample_at_;  ///< of every step-th vertex; that of no sample where it is no number
   std::vector<std::uint32_t> samples_;
   std::vector<ModelPoint> places_;
-  std::vector<std::vector<ModelVector>> fields_;
+  std::vector<Moved> fields_;
   std::vector<double> squares_, usual_ways_;
   std::vector<std::array<double, 2>> last_products_;
 };

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/intent/model/control_fields.h"
+#include "core/intent/model/place_grid.h"
+
 namespace penpose::intent {
 namespace {
 
@@ -12,6 +15,10 @@ using geometry::ModelPoint;
 using geometry::ModelVector;
 
 constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+/// By how much the sums of two controls differ at most, as a share of the larger one, and their directions.
+constexpr double k_most_amount = 0.3, k_most_way = 0.35;
+/// More than a limit by this is beyond it, however it is rounded.
+constexpr double k_surely = 1.001;
 
 struct Plane {
   ModelVector normal{1, 0, 0};
@@ -28,26 +35,60 @@ double difference(const ControlMoments& a, const ControlMoments& b, const Plane&
   const double apart = std::abs(glm::dot(plane.normal, a.centre - b.centre));
   if (apart < 0.35 * (a.radius + b.radius)) return 2.0;  // both in the middle
   const double place = geometry::distance(plane.mirrored(a.centre), b.centre) / (tolerance * size);
-  const double amount = std::abs(a.way - b.way) / (0.3 * std::max(a.way, b.way));
-  const double way = geometry::length(plane.turned(a.direction) - b.direction) / 0.35;
+  const double amount = std::abs(a.way - b.way) / (k_most_amount * std::max(a.way, b.way));
+  const double way = geometry::length(plane.turned(a.direction) - b.direction) / k_most_way;
   const double radius = std::abs(a.radius - b.radius) / (0.35 * std::max(a.radius, b.radius));
   return std::max(std::max(place, amount), std::max(way, radius)) < 1.0 ? (place + amount + way + radius) / 4.0 : 2.0;
+}
+
+/// Controls that move anything, by how much.
+std::vector<std::size_t> by_way(std::span<const ControlMoments> controls) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    if (controls[i].way > 0.0) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return controls[a].way < controls[b].way; });
+  return order;
 }
 
 std::vector<std::size_t> pairs_about(std::span<const ControlMoments> controls, const Plane& plane, double tolerance,
                                      double size) {
   const std::size_t d = controls.size();
   std::vector<std::size_t> best(d, k_none);
-  for (std::size_t i = 0; i < d; ++i) {
+  // Of many controls only few can be a pair: those near each other's mirror images that move as much.
+  const std::vector<std::size_t> order = by_way(controls);
+  std::vector<ModelPoint> centres;
+  for (const std::size_t i : order) centres.push_back(controls[i].centre);
+  const PlaceGrid grid(centres, tolerance * size);
+  const auto first_with = [&](double way) {
+    const auto at =
+        std::lower_bound(order.begin(), order.end(), way, [&](std::size_t i, double w) { return controls[i].way < w; });
+    return static_cast<std::uint32_t>(at - order.begin());
+  };
+  for (const std::size_t i : order) {
+    const ControlMoments& own = controls[i];
+    const ModelPoint image = plane.mirrored(own.centre);
+    const ModelVector direction = plane.turned(own.direction);
     double least = 1.0;
-    for (std::size_t j = 0; j < d; ++j) {
-      if (j == i) continue;
-      const double far = difference(controls[i], controls[j], plane, tolerance, size);
-      if (far < least) {
+    const auto compare = [&](std::uint32_t number) {
+      const std::size_t j = order[number];
+      if (j == i) return;
+      // The difference is the mean of four: what is four times as far in one alone is no better.
+      const double most = k_surely * std::min(1.0, 4.0 * least);
+      const double most_place = most * tolerance * size;
+      const double most_way = most * k_most_way;
+      if (square_of(image - controls[j].centre) > most_place * most_place) return;
+      if (square_of(direction - controls[j].direction) > most_way * most_way) return;
+      const double far = difference(own, controls[j], plane, tolerance, size);
+      // Of equals the first, whatever the order of the grid.
+      if (far < least || (far == least && j < best[i] && best[i] != k_none)) {
         least = far;
         best[i] = j;
       }
-    }
+    };
+    constexpr double k_least_share = 1.0 - k_surely * k_most_amount;
+    grid.visit_near(image, first_with(own.way * k_least_share), first_with(own.way / k_least_share), compare);
   }
   std::vector<std::size_t> mutual(d, k_none);
   for (std::size_t i = 0; i < d; ++i) {

@@ -43,29 +43,30 @@ std::vector<std::vector<WholeModel::PlaceMoved>> places_moved(const ControlField
   const auto neighbours = neighbours_of(fields.places());
   for (std::size_t p = 0; p < out.size(); ++p) {
     if (!shapes[p] || !(fields.square(p) > 0.0)) continue;
-    const auto field = fields.field(p);
+    const ControlField field = fields.field(p);
     double most = 0;
-    for (const ModelVector& way : field) most = std::max(most, square_of(way));
-    std::vector<bool> moves(field.size());
+    for (const ModelVector& way : field.ways) most = std::max(most, square_of(way));
+    std::vector<double> moves(fields.places().size(), 0.0);  // squares of ways; 0: still, or in a place already
     double count = 0;
-    for (std::size_t i = 0; i < field.size(); ++i) {
-      moves[i] = square_of(field[i]) >= k_moves_along * k_moves_along * most;
-      count += moves[i] ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < field.samples.size(); ++i) {
+      const double square = square_of(field.ways[i]);
+      if (square < k_moves_along * k_moves_along * most) continue;
+      moves[field.samples[i]] = square;
+      count += 1.0;
     }
-    for (std::uint32_t i = 0; i < field.size(); ++i) {
-      if (!moves[i]) continue;
+    for (const std::uint32_t first : field.samples) {
+      if (moves[first] == 0.0) continue;
       WholeModel::PlaceMoved place;
-      place.samples.push_back(i);
-      moves[i] = false;
+      double farthest = std::exchange(moves[first], 0.0);
+      place.samples.push_back(first);
       for (std::size_t next = 0; next < place.samples.size(); ++next) {
-        const std::uint32_t of = place.samples[next];
-        place.way = std::max(place.way, std::sqrt(square_of(field[of])));
-        for (const std::uint32_t other : neighbours[of]) {
-          if (!moves[other]) continue;
-          moves[other] = false;
+        for (const std::uint32_t other : neighbours[place.samples[next]]) {
+          if (moves[other] == 0.0) continue;
+          farthest = std::max(farthest, std::exchange(moves[other], 0.0));
           place.samples.push_back(other);
         }
       }
+      place.way = std::sqrt(farthest);
       if (static_cast<double>(place.samples.size()) >= k_least_share * count) out[p].push_back(std::move(place));
     }
   }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/geometry/space.h"
+#include "core/intent/model/control_effects.h"
 #include "core/intent/model/mirror_pairs.h"
 #include "core/intent/model/places_moved.h"
 #include "core/rig/character_rig.h"
@@ -37,7 +38,7 @@ std::vector<double> extents_of(const rig::Skeleton& skeleton, std::span<const Mo
 }
 
 /// The mean way of what moves, each vertex weighted by its own way.
-double stride_of(const std::vector<ModelPoint>& rest, const std::vector<ModelPoint>& moved) {
+double stride_of(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved) {
   double ways = 0, squares = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     const double way = geometry::distance(rest[i], moved[i]);
@@ -73,21 +74,6 @@ Contacts contacts_of(const rig::Rig& rig, std::span<const ModelPoint> rest, cons
   return contacts;
 }
 
-/// See WholeModel::farthest.
-std::vector<std::vector<std::uint32_t>> farthest_samples(const ControlFields& fields) {
-  std::vector<std::vector<std::uint32_t>> out(fields.control_count());
-  for (std::size_t p = 0; p < out.size(); ++p) {
-    if (!(fields.square(p) > 0.0)) continue;
-    const auto field = fields.field(p);
-    for (std::uint32_t i = 0; i < field.size(); ++i) {
-      if (square_of(field[i]) > 0.0) out[p].push_back(i);
-    }
-    std::stable_sort(out[p].begin(), out[p].end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return square_of(field[a]) > square_of(field[b]); });
-  }
-  return out;
-}
-
 /// See WholeModel::by_piece.
 std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields& fields,
                                                              std::span<const std::uint32_t> pieces) {
@@ -104,12 +90,10 @@ std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields
     if (!(fields.square(p) > 0.0)) continue;
     std::map<std::uint32_t, Sums> sums;
     const auto field = fields.field(p);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double square = square_of(field[i]);
-      if (!(square > 0.0)) continue;
-      Sums& of = sums[pieces[samples[i]]];
-      of.square += square;
-      of.way += field[i];
+    for (std::size_t i = 0; i < field.samples.size(); ++i) {
+      Sums& of = sums[pieces[samples[field.samples[i]]]];
+      of.square += square_of(field.ways[i]);
+      of.way += field.ways[i];
     }
     for (const auto& [piece, of] : sums) {
       const ModelVector mean = of.way / sizes[piece];
@@ -140,10 +124,8 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     }
   }
 
-  std::vector<ModelPoint> rest(rig.vertex_count());
-  std::vector<ModelPoint> moved(rig.vertex_count());
-  rig::Pose pose = rig::rest_pose(rig);
-  rig.evaluate(pose, rest);
+  ControlEffects effects(rig);
+  const std::span<const ModelPoint> rest = effects.rest();
   geometry::Box box;
   for (const ModelPoint& p : rest) box.add(p);
   whole.size = box.empty() ? 0.0 : box.diagonal();
@@ -165,22 +147,21 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     // A turn of a right angle would say more of the arm's length than of the turn: joints are measured by a small one.
     const double step = whole.joint[p] != k_no_partner ? std::min(0.25, std::max(up, down)) : std::max(up, down);
     if (!(step > 0.0) || !std::isfinite(step)) {
-      fields.add(rest, {}, 0);
+      fields.add({}, {}, {}, 0);
       continue;
     }
-    pose[p] = parameter.rest + (up >= down ? step : -step);
-    rig.evaluate(pose, moved);
-    pose[p] = parameter.rest;
     const double sign = up >= down ? 1.0 : -1.0;
     const bool turns = whole.joint[p] != k_no_partner;
-    fields.add(rest, moved, sign * (turns ? 1.0 : parameter.maximum - parameter.minimum) / step);
-    for (std::size_t v = 0; v < rest.size() && !turns; ++v) {
-      if (moved[v] != rest[v]) moved_by_shapes[v] = true;
+    const ControlEffect effect = effects.of(p, parameter.rest + (up >= down ? step : -step));
+    fields.add(effect.vertices, effect.rest, effect.moved,
+               sign * (turns ? 1.0 : parameter.maximum - parameter.minimum) / step);
+    for (std::size_t k = 0; k < effect.vertices.size() && !turns; ++k) {
+      if (effect.moved[k] != effect.rest[k]) moved_by_shapes[effect.vertices[k]] = true;
     }
-    moments[p] = moments_of(rest, moved);
+    moments[p] = moments_of(effect.rest, effect.moved);
     whole.movement[p] = moments[p].way * (parameter.maximum - parameter.minimum) / step;
     if (!std::isfinite(whole.movement[p])) whole.movement[p] = 0;
-    whole.stride[p] = stride_of(rest, moved) * (parameter.maximum - parameter.minimum) / step;
+    whole.stride[p] = stride_of(effect.rest, effect.moved) * (parameter.maximum - parameter.minimum) / step;
     if (!std::isfinite(whole.stride[p])) whole.stride[p] = 0;
   }
   const double median = median_of_positive(whole.movement);
@@ -189,12 +170,11 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   for (std::size_t p = 0; p < d; ++p) shapes[p] = whole.joint[p] == k_no_partner && whole.movement[p] > 0.0;
   whole.composites = composites_of(fields, shapes);
   whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
-  whole.farthest = farthest_samples(fields);
   whole.by_piece = turns_by_piece(fields, whole.pieces);
   whole.places = places_moved(fields, shapes);
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
-  whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));
+  whole.rest = std::make_shared<const std::vector<ModelPoint>>(rest.begin(), rest.end());
   return whole;
 }
 

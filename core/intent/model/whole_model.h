@@ -55,8 +55,6 @@ struct WholeModel {
     std::vector<std::uint32_t> samples;  ///< numbers of ControlFields::samples
   };
   std::vector<std::vector<PlaceMoved>> places;
-  /// For each control: the samples that it moves, the farthest first (numbers of ControlFields::samples).
-  std::vector<std::vector<std::uint32_t>> farthest;
   /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.
   std::vector<double> joint_extents;
   /// Its vertices at rest.

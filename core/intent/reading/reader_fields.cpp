@@ -145,17 +145,21 @@ void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_within(weights_.near);
   const std::vector<std::uint32_t> not_far = samples_within(weights_.far);
-  std::vector<bool> is_near(fields.places().size(), false);
-  for (const std::uint32_t s : near) is_near[s] = true;
   std::vector<bool> is_distant(fields.places().size(), true);
   for (const std::uint32_t s : not_far) is_distant[s] = false;
-  std::vector<std::uint32_t> mirrored;
+  std::vector<bool> is_mirrored(fields.places().size(), false);
   const std::vector<std::uint32_t> images = samples_within(weights_.near, true);
-  std::set_difference(images.begin(), images.end(), near.begin(), near.end(), std::back_inserter(mirrored));
+  double both = 0;
+  for (const std::uint32_t s : images) {
+    is_mirrored[s] = true;
+    if (std::binary_search(near.begin(), near.end(), s)) both += 1.0;
+  }
   // Where both sides are drawn, the other side of one is near the other.
-  const double alone = images.empty() ? 0.0 : static_cast<double>(mirrored.size()) / static_cast<double>(images.size());
-  const double one_sided = std::max(0.0, 2.0 * alone - 1.0);
+  const double one_sided =
+      images.empty() ? 0.0 : std::max(0.0, 1.0 - 2.0 * both / static_cast<double>(images.size()));
   near_count_ = near.size();
+  std::vector<std::size_t> place_in_near(fields.places().size(), near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) place_in_near[near[i]] = i;
   const std::size_t n = start_.size();
   std::size_t told = 0;
   for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
@@ -173,21 +177,30 @@ void Reader::measure_fields() {
     }
     double whole = 0;
     double usual = 0;
-    std::vector<ModelVector> opposite(mirrored.size(), ModelVector{0});
     for (std::size_t k = 0; k < count; ++k) {
-      const auto field = fields.field(first + k);
-      for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
+      const ControlField field = fields.field(first + k);
+      double farthest = 0;
+      for (std::size_t i = 0; i < field.samples.size(); ++i) {
+        const std::uint32_t sample = field.samples[i];
+        const ModelVector way = field.ways[i] * by[k];
+        if (place_in_near[sample] < near.size()) {
+          one.near[place_in_near[sample]] += way;
+          continue;
+        }
+        const double square = square_of(way);
+        if (is_mirrored[sample]) one.mirrored_square += one_sided * square;
+        if (is_distant[sample]) {
+          farthest = std::max(farthest, square);
+        } else {
+          one.around_square += square;
+        }
+      }
+      one.distant_way += farthest;
       for (const WholeModel::PlaceMoved& place : whole_.places[first + k]) {
-        const bool meets = std::any_of(place.samples.begin(), place.samples.end(), [&](std::uint32_t s) { return is_near[s]; });
+        const bool meets = std::any_of(place.samples.begin(), place.samples.end(),
+                                       [&](std::uint32_t s) { return place_in_near[s] < near.size(); });
         if (!meets) one.scattered_way = std::max(one.scattered_way, by[k] * place.way);
       }
-      const auto& farthest = whole_.farthest[first + k];
-      const auto far = std::find_if(farthest.begin(), farthest.end(), [&](std::uint32_t s) { return is_distant[s]; });
-      if (far != farthest.end()) one.distant_way += by[k] * by[k] * square_of(field[*far]);
-      for (const std::uint32_t s : whole_.farthest[first + k]) {
-        if (!is_distant[s] && !is_near[s]) one.around_square += by[k] * by[k] * square_of(field[s]);
-      }
-      for (std::size_t i = 0; i < mirrored.size(); ++i) opposite[i] += field[mirrored[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
       usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (const WholeModel::OfPiece& of : whole_.by_piece[first + k]) {
@@ -198,7 +211,6 @@ void Reader::measure_fields() {
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
-    for (const ModelVector& way : opposite) one.mirrored_square += one_sided * square_of(way);
     one.distant_way = std::sqrt(one.distant_way);
     one.around_square /= static_cast<double>(std::max<std::size_t>(1, not_far.size() - near.size()));
     double most = 0;
@@ -284,7 +296,7 @@ void Reader::leave_carriers(bool out) {
 
 double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
   const ControlFields& fields = *whole_.fields;
-  std::vector<ModelVector> to_a(fields.samples().size(), ModelVector{0});
+  std::vector<ModelVector> to_a(fields.places().size(), ModelVector{0});
   std::vector<ModelVector> to_b = to_a;
   for (std::size_t p = 0; p < a.size(); ++p) {
     const rig::Parameter& parameter = rig_.parameters()[p];
@@ -292,9 +304,9 @@ double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
     const double range = whole_.joint[p] == k_no_partner ? parameter.maximum - parameter.minimum : 1.0;
     if (!(range > 0.0) || (a[p] == problem_.start[p] && b[p] == problem_.start[p])) continue;
     const auto field = fields.field(p);
-    for (std::size_t i = 0; i < field.size(); ++i) {
-      to_a[i] += field[i] * ((a[p] - problem_.start[p]) / range);
-      to_b[i] += field[i] * ((b[p] - problem_.start[p]) / range);
+    for (std::size_t i = 0; i < field.samples.size(); ++i) {
+      to_a[field.samples[i]] += field.ways[i] * ((a[p] - problem_.start[p]) / range);
+      to_b[field.samples[i]] += field.ways[i] * ((b[p] - problem_.start[p]) / range);
     }
   }
   double apart = 0, of_a = 0, of_b = 0;
@@ -344,7 +356,8 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     return base::log(1.0 + share * share);
   };
   terms[Term::distant] = beside_near(distant);
-  terms[Term::around] = near > 0.0 ? std::min(1.0, around * static_cast<double>(near_count_) / near) : 1.0;
+  if (turns(unit.members[0]))
+    terms[Term::around] = near > 0.0 ? std::min(1.0, around * static_cast<double>(near_count_) / near) : 1.0;
   terms[Term::turned] = beside_near(turn);
   terms[Term::scattered] = beside_near(scattered);
   const std::size_t first = parameter_of(unit.members[0]);

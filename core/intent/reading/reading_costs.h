@@ -44,6 +44,7 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double cost_of_relations(std::span<const std::size_t> units, std::size_t unit) const;
   /// Whether two units cannot move together.
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
+  [[nodiscard]] bool is_joint(std::size_t variable) const { return relations_.is_joint(variable); }
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
   /// What costs_of, limit_costs and stiffness_of are the weighted sum of.

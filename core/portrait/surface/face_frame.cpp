@@ -32,28 +32,16 @@ bool is_shape(const intent::WholeModel& whole, std::size_t control) {
   return whole.joint[control] == intent::k_no_partner;
 }
 
-/// How far shapes move each sample, all together.
-std::vector<double> moved_by_shapes(const intent::WholeModel& whole) {
-  const intent::ControlFields& fields = *whole.fields;
-  std::vector<double> moved(fields.places().size(), 0.0);
-  for (std::size_t k = 0; k < fields.control_count(); ++k) {
-    if (!is_shape(whole, k)) continue;
-    const auto field = fields.field(k);
-    for (std::size_t i = 0; i < field.size(); ++i) moved[i] += geometry::length(field[i]);
-  }
-  return moved;
-}
-
 /// The plane between controls and those that do the same on the other side: its normal, and the origin put on it.
 std::size_t between_pairs(const intent::WholeModel& whole, FaceFrame& frame) {
   const intent::ControlFields& fields = *whole.fields;
   const auto centre = [&](std::size_t control) {
     ModelPoint sum{0};
     double weight = 0;
-    const auto field = fields.field(control);
-    for (std::size_t i = 0; i < field.size(); ++i) {
-      const double way = geometry::length(field[i]);
-      sum += fields.places()[i] * way;
+    const intent::ControlField field = fields.field(control);
+    for (std::size_t i = 0; i < field.samples.size(); ++i) {
+      const double way = geometry::length(field.ways[i]);
+      sum += fields.places()[field.samples[i]] * way;
       weight += way;
     }
     return weight > 0.0 ? sum / weight : sum;
@@ -123,6 +111,17 @@ ModelPoint FaceFrame::local(const ModelPoint& p) const { return turned(p - origi
 
 ModelVector FaceFrame::turned(const ModelVector& v) const {
   return {glm::dot(left, v), glm::dot(up, v), glm::dot(front, v)};
+}
+
+std::vector<double> moved_by_shapes(const intent::WholeModel& whole) {
+  const intent::ControlFields& fields = *whole.fields;
+  std::vector<double> moved(fields.places().size(), 0.0);
+  for (std::size_t k = 0; k < fields.control_count(); ++k) {
+    if (!is_shape(whole, k)) continue;
+    const intent::ControlField field = fields.field(k);
+    for (std::size_t i = 0; i < field.samples.size(); ++i) moved[field.samples[i]] += geometry::length(field.ways[i]);
+  }
+  return moved;
 }
 
 std::optional<FacePlace> place_face(const mesh::TriangleMesh& mesh, const intent::WholeModel& whole,

@@ -30,6 +30,9 @@ struct FacePlace {
   bool of_shapes = false;
 };
 
+/// How far shapes move each sample of the model (ControlFields::samples), all together.
+[[nodiscard]] std::vector<double> moved_by_shapes(const intent::WholeModel& whole);
+
 /// Finds the plane of symmetry near the one that `front_yaw_degrees` (about +y, 0: +z) means: between controls that do
 /// the same on both sides, or where there are none, the one that mirrors the surface best. Nothing for a model without
 /// extent.

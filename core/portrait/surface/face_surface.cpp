@@ -54,13 +54,10 @@ std::uint32_t FaceSurface::find_skin(const intent::WholeModel& whole) const {
   std::vector<double> moved(mesh_->component_count(), place_.of_shapes ? 0.0 : 1.0);
   if (place_.of_shapes) {
     std::vector<double> counts(moved.size(), 0.0);
-    for (std::size_t i = 0; i < fields.places().size(); ++i) {
-      double sum = 0;
-      for (std::size_t k = 0; k < fields.control_count(); ++k) {
-        if (whole.joint[k] == intent::k_no_partner) sum += geometry::length(fields.field(k)[i]);
-      }
+    const std::vector<double> ways = moved_by_shapes(whole);
+    for (std::size_t i = 0; i < ways.size(); ++i) {
       const std::uint32_t c = mesh_->components()[fields.samples()[i]];
-      moved[c] += sum;
+      moved[c] += ways[i];
       counts[c] += 1.0;
     }
     for (std::size_t c = 0; c < moved.size(); ++c) moved[c] = counts[c] > 0.0 ? moved[c] / counts[c] : 0.0;

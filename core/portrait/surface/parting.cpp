@@ -40,20 +40,19 @@ ModelVector PushField::of(const mesh::MeshPoint& point) const {
 std::vector<Push> pushes_within(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
                                 const geometry::Box& box) {
   const intent::ControlFields& fields = *whole.fields;
-  std::vector<std::size_t> within;
+  std::vector<bool> within(fields.places().size());
   for (std::size_t i = 0; i < fields.places().size(); ++i) {
     const ModelPoint p = surface.place().frame.local(fields.places()[i]);
-    if (p.x >= box.minimum.x && p.x <= box.maximum.x && p.y >= box.minimum.y && p.y <= box.maximum.y) {
-      within.push_back(i);
-    }
+    within[i] = p.x >= box.minimum.x && p.x <= box.maximum.x && p.y >= box.minimum.y && p.y <= box.maximum.y;
   }
   const double least = k_least_parting_way * surface.place().box.diagonal();
   std::vector<Push> pushes;
   for (std::size_t k = 0; k < fields.control_count(); ++k) {
-    const auto field = fields.field(k);
-    if (std::none_of(within.begin(), within.end(), [&](std::size_t i) { return geometry::length(field[i]) > least; })) {
-      continue;
-    }
+    const intent::ControlField field = fields.field(k);
+    bool parts = false;
+    for (std::size_t i = 0; i < field.samples.size() && !parts; ++i)
+      parts = within[field.samples[i]] && geometry::length(field.ways[i]) > least;
+    if (!parts) continue;
     const rig::Parameter& p = rig.parameters()[k];
     const double room = p.maximum - p.minimum;
     if (p.maximum - p.rest > 0.05 * room) pushes.push_back({k, p.maximum});

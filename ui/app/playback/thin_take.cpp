@@ -71,11 +71,12 @@ std::vector<double> tolerances(const document::Document& document, const intent:
     const rig::Parameter& parameter = parameters[p];
     const double range = p >= joints_from ? 1.0 : parameter.maximum - parameter.minimum;
     auto& way = ways.emplace_back(fields.places().size(), 0.0);
-    const auto field = fields.field(p);
-    for (std::size_t s = 0; s < field.size() && range > 0; ++s) {
+    const intent::ControlField field = fields.field(p);
+    for (std::size_t i = 0; i < field.samples.size() && range > 0; ++i) {
+      const std::uint32_t s = field.samples[i];
       // As far as it goes in space: it may be seen from anywhere later.
       const double unit = camera->units_per_px(camera->depth(fields.places()[s]));
-      const double length = std::sqrt(intent::square_of(field[s])) / range;
+      const double length = std::sqrt(intent::square_of(field.ways[i])) / range;
       if (!(unit > 0) || length == 0) continue;
       way[s] = length / unit;
       together[s] += 1;

@@ -93,6 +93,18 @@ TEST(MirrorPairs, ASizeOfZeroOrNoControlsMakeNone) {
   EXPECT_TRUE(mirror_pairs({}, {0, 0, 0}, 3).empty());
 }
 
+TEST(MirrorPairs, OfControlsThatDoTheSameTheFirstIsThePartner) {
+  const Arrangement face(0.02);
+  std::vector<ControlMoments> controls = face.controls;
+  controls.push_back(controls[1]);
+  controls.insert(controls.begin(), controls[5]);
+  std::vector<std::size_t> partner{5, 2, 1, 4, 3, 0};  // 6 does what 0 does
+  const auto got = mirror_pairs(controls, {0, 0, 0}, 3);
+  EXPECT_EQ(std::vector<std::size_t>(got.begin(), got.begin() + 6), partner);
+  EXPECT_EQ(got[6], k_none);
+  EXPECT_EQ(got.back(), k_none) << "it does what 2 does";
+}
+
 TEST(MirrorPairs, APartnerIsMutualWhateverTheControls) {
   tests::Random random(9);
   for (int run = 0; run < 50; ++run) {
