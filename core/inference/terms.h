@@ -14,8 +14,6 @@ enum class Term : std::uint8_t {
   unit,        ///< units that move
   elsewhere,   ///< log(1 + what a unit moves elsewhere over what it moves near the lines, both squared)
   distant,     ///< log(1 + (largest way far from the lines over the largest near them) squared)
-  around,      ///< of joints: mean square of their way around the lines over that near them, at most 1: a head moves
-               ///< all alike
   mirrored,    ///< log(1 + what a unit moves at the mirror image of the lines over what it moves near them, both squared)
   turned,      ///< log(1 + (how much a unit turns a piece of the mesh without lines, as gaze does an eyeball, over its
                ///< largest way near the lines) squared)
@@ -23,29 +21,21 @@ enum class Term : std::uint8_t {
                ///< its largest way near them) squared): an expression moves several places
   lone,        ///< units of a control that has no counterpart on the other side
   faint,       ///< log(usual way of the control that moves most / a unit's own)
-  fringe,      ///< log(usual way of a unit's field / largest way of the lines)
   carried,     ///< of joints: elsewhere beyond what any joint carries
   axis,        ///< axes about which joints turn
   part,        ///< parts beyond the first of a control that is the sum of others
   crosses,     ///< how deep a control drives lips through each other, 0 to 1
   lopsided,    ///< how much a unit does on one side of what the lines ask for on both, 0 to 1
   against,     ///< cosine of two units' fields beyond a tenth against each other
-  opposed,     ///< how much two units move the same places against each other, 0 to 1
-  twice,       ///< cosine of two units' fields beyond three tenths alike
   helper,      ///< how much a unit moves what another one moves already, 0 to 1
-  limit,       ///< units near an end of their range, 0 to 1 each
   share,       ///< squares of the controls' shares of their ranges
   tie,         ///< squares of the differences between the sides of a pair
   nothing,     ///< decades by which a line that moves nothing asks for more than a hand strays
-  backwards,   ///< lines read from their other end, where both are possible
   partial,     ///< lines that are read as a part of their curve
   left_out,    ///< the shares of curves that are left out so
   overshot,    ///< lines that are read as longer than their curve
   one_end,     ///< by how much they are longer at one end alone
-  determined,  ///< log of how exactly the lines determine the turns of joints (Laplace): half of the log of the
-               ///< determinant of the curvature
   taught,      ///< what the artist's choices on this rig taught of a unit; below 0 where it is meant more often
-  astray,      ///< how far what the lines do is from the way that was asked: -log of the cosine's square
   leaning,     ///< joints that lean as joints rarely do
 };
 inline constexpr std::size_t k_term_count = static_cast<std::size_t>(Term::leaning) + 1;

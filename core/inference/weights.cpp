@@ -6,7 +6,6 @@ std::span<const Scale> scales() {
   static constexpr std::array k_scales{Scale{"reach", &Weights::reach},
                                        Scale{"asks_from", &Weights::asks_from},
                                        Scale{"carried_from", &Weights::carried_from},
-                                       Scale{"limit_from", &Weights::limit_from},
                                        Scale{"settled_share", &Weights::settled_share},
                                        Scale{"crosses_from", &Weights::crosses_from},
                                        Scale{"same", &Weights::same},

@@ -16,8 +16,6 @@ struct Weights {
   double asks_from = 18.0;
   /// Joints carry this many times what is near the lines (squared) as a rule.
   double carried_from = 8.0;
-  /// A range has more to give up to this share of it.
-  double limit_from = 0.8;
   /// Weight of the squares of shares once it is known which controls move: values follow the lines.
   double settled_share = 0.2;
   /// Share of the size of what shapes move from which on lips are driven through each other.

@@ -146,7 +146,7 @@ struct LivePoser::State {
 
   /// Which controls follow is told by a longer pull, how far by this one.
   LiveStep pull(std::span<const PxPoint> line, std::span<const PxPoint> meant) {
-    const auto aligned = [&](std::span<const PxPoint> to) { return alignments(seen, to, 0.0, inference::learned_weights()).front(); };
+    const auto aligned = [&](std::span<const PxPoint> to) { return alignments(seen, to, 0.0).front(); };
     if (reader().limb()) return step_free(line, aligned(line), k_most_units);
     reader().redraw(0, meant, aligned(meant));
     reader().look({}, false, quadratic);
@@ -251,7 +251,7 @@ LiveStep LivePoser::follow_whole(std::span<const PxPoint> line, const std::vecto
   if (!has_length(line)) return {};
   State& s = *state_;
   s.keep(stays);
-  return s.step(line, alignments(s.seen, line, 0.0, inference::learned_weights()).front());
+  return s.step(line, alignments(s.seen, line, 0.0).front());
 }
 
 LiveStep LivePoser::pull(std::span<const PxPoint> line, std::span<const PxPoint> meant,

@@ -124,6 +124,10 @@ Score score(const std::vector<LearnCase>& cases, const Terms& by) {
   return out;
 }
 
+double loss(const std::vector<LearnCase>& cases, const Terms& by, const Widths& widths) {
+  return loss_of(cases, by, widths, nullptr);
+}
+
 Terms fit(const std::vector<LearnCase>& cases, Terms by, const Widths& widths) {
   constexpr int k_steps = 60;
   double loss = loss_of(cases, by, widths, nullptr);

@@ -34,6 +34,9 @@ struct Score {
 /// stays as it is.
 using Widths = inference::Terms;
 
+/// What `fit` minimises.
+[[nodiscard]] double loss(const std::vector<LearnCase>& cases, const inference::Terms& by, const Widths& widths);
+
 /// Maximum conditional likelihood (Taskar 2004): minimises the sum over cases of
 ///   -log [ sum over right readings exp(-E) / sum over all readings exp(-E) ],   E = by . terms
 /// plus half the squares of weights over widths. No weight is negative. Newton steps from `by`, as in Boyd and

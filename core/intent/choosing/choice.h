@@ -37,7 +37,6 @@ struct Choice {
   std::vector<double> values;          ///< one a variable
   double energy = 0;                   ///< squares and costs
   double costs = 0;                    ///< of its units alone
-  inference::Terms fitted{};           ///< what follows from how it meets the lines
 };
 
 /// How far a value is on its way to the end of its range, 0 to 1; 0 where it has none on that side.
@@ -56,7 +55,7 @@ class ChoiceCosts {
   /// Of its units at its values, including the differences of pairs, without limit_costs.
   [[nodiscard]] virtual double costs_of(const Choice& choice) const = 0;
   /// The extra cost of units at an end of a range.
-  [[nodiscard]] virtual double limit_costs(const Choice& choice) const = 0;
+  [[nodiscard]] virtual double limit_costs(const Choice& /*choice*/) const { return 0.0; }
 };
 
 }  // namespace penpose::intent

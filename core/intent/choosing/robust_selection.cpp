@@ -85,58 +85,9 @@ Choice RobustSelection::fit(std::vector<std::size_t> units) {
     squares_at(choice, squares_);
     if (weighing > 0 && change < k_settled) break;
   }
-  choice.fitted[inference::Term::determined] = determined(choice);
-  choice.fitted[inference::Term::astray] = astray(choice);
-  choice.costs =
-      costs_.costs_of(choice) + costs_.limit_costs(choice) + costs_.weights().by.dot(choice.fitted);
+  choice.costs = costs_.costs_of(choice);
   choice.energy = doubt_.energy(squares_) + choice.costs + costs_.stiffness_of(choice);
   return choice;
-}
-
-double RobustSelection::determined(const Choice& choice) {
-  std::vector<std::size_t> joints;
-  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
-    if (costs_.is_joint(choice.variables[i])) joints.push_back(i);
-  }
-  const std::size_t n = joints.size();
-  if (n == 0) return 0.0;
-  doubt_.weights(squares_, weights_);
-  set_up(choice, weights_);
-  std::vector<double> matrix(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) matrix[i * n + k] = matrix_[joints[i] * choice.variables.size() + joints[k]];
-    matrix[i * n + i] += 1.0;
-  }
-  if (!algebra::factor(matrix.data(), n, k_least_pivot)) return 0.0;
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) sum += base::log(matrix[i * n + i]);
-  return sum;
-}
-
-double RobustSelection::astray(const Choice& choice) const {
-  const std::size_t n = choice.variables.size();
-  const std::size_t parts = q_.part_count();
-  std::vector<double> moved(parts, 0.0), along(parts, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double* pulls = q_.part_pulls(choice.variables[i]);
-    for (std::size_t p = 0; p < parts; ++p) along[p] += choice.values[i] * pulls[p];
-    for (std::size_t k = 0; k <= i; ++k) {
-      const double by = (k == i ? 1.0 : 2.0) * choice.values[i] * choice.values[k];
-      const double* curvatures = q_.part_curvatures(choice.variables[i], choice.variables[k]);
-      for (std::size_t p = 0; p < parts; ++p) moved[p] += by * curvatures[p];
-    }
-  }
-  std::vector<double> asked(parts);
-  for (std::size_t p = 0; p < parts; ++p) asked[p] = q_.part_constant(p);
-  constexpr double k_least_cosine_square = 0.02;
-  double sum = 0;
-  doubt_.sum_groups(moved, asked, along, [&](double m, double a, double with) {
-    // A hand's own error is no way that was asked.
-    if (!(m > 1.0) || !(a > 0.0)) return;
-    const double square = with > 0.0 ? with * with / (m * a) : 0.0;
-    sum -= base::log(std::clamp(square, k_least_cosine_square, 1.0));
-  });
-  return sum;
 }
 
 RobustSelection::Base RobustSelection::base_of(const Choice& choice) {

@@ -42,10 +42,6 @@ class RobustSelection {
   void squares_at(const Choice& choice, std::vector<double>& out) const;
   /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
   void set_up(const Choice& choice, std::span<const double> weights);
-  /// Half the log of the determinant of the last fit's curvature, beyond what a value's whole range gives (Laplace).
-  [[nodiscard]] double determined(const Choice& choice);
-  /// How far what a choice does to the curves is from the way that was asked (inference::Term::astray).
-  [[nodiscard]] double astray(const Choice& choice) const;
   [[nodiscard]] Base base_of(const Choice& choice);
   /// A unit beside a base as one direction, its members by these shares: its pull, curvature and products with the
   /// base's variables, a run of parts a variable.

@@ -86,6 +86,7 @@ class SlidingLine {
 /// line that overshoots at one end only is less likely the farther it does. The last alignment assumes that the line
 /// gives the shape and is off from where it was meant.
 [[nodiscard]] std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line,
-                                                double near_px, const inference::Weights& weights);
+                                                double near_px,
+                                                const inference::Weights& weights = inference::learned_weights());
 
 }  // namespace penpose::intent

@@ -23,17 +23,6 @@ class Doubt {
   [[nodiscard]] double energy(std::span<const double> squares) const;
   /// What one curve adds to the energy. `squares`: D of the first curves, those of its group among them.
   [[nodiscard]] double added_by(std::size_t curve, std::span<const double> squares) const;
-  /// Calls `use` with the sums of each group of curves.
-  template <typename Use>
-  void sum_groups(std::span<const double> a, std::span<const double> b, std::span<const double> c, Use use) const {
-    std::vector<double> sums(3 * groups_.size(), 0.0);
-    for (std::size_t k = 0; k < group_of_.size(); ++k) {
-      sums[3 * group_of_[k]] += a[k];
-      sums[3 * group_of_[k] + 1] += b[k];
-      sums[3 * group_of_[k] + 2] += c[k];
-    }
-    for (std::size_t g = 0; g < groups_.size(); ++g) use(sums[3 * g], sums[3 * g + 1], sums[3 * g + 2]);
-  }
   /// dE/dD of each.
   void weights(std::span<const double> squares, std::vector<double>& out) const;
 

@@ -55,7 +55,6 @@ class Reader final : public Relations {
   [[nodiscard]] double unlikeness(const rig::Pose& a, const rig::Pose& b) const;
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
-  [[nodiscard]] double opposed(std::size_t a, std::size_t b) const override { return relation(a, b).opposed; }
   [[nodiscard]] bool moves_group(std::size_t variable, std::size_t group) const override {
     return moved_groups_[parameter_of(variable)][group];
   }
@@ -183,10 +182,8 @@ class Reader final : public Relations {
   /// What a variable does beside what was drawn.
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
-    double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
-    double around_square = 0;                ///< mean square around the curves, between near and far
     double near_way = 0, distant_way = 0;    ///< the largest there, and far from the curves
     double mirrored_square = 0;              ///< near the mirror image of the curves alone
     double turn = 0;                         ///< of a piece without lines, the most
@@ -194,7 +191,7 @@ class Reader final : public Relations {
     double usual_way = 0;                    ///< of the control, model units
   };
   struct Relation {
-    double likeness = 0, overlap = 0, opposed = 0;
+    double likeness = 0, overlap = 0;
   };
   /// Of two variables; measured once.
   [[nodiscard]] const Relation& relation(std::size_t a, std::size_t b) const;
@@ -276,7 +273,6 @@ class Reader final : public Relations {
   mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
   std::vector<std::size_t> images_;      ///< of each point of drawn curves, or k_no_partner; empty: not from the front
   std::vector<double> shares_at_start_;  ///< of ranges, from rest, one a parameter of the rig; empty: all at rest
-  std::size_t near_count_ = 0;           ///< samples near the curves
   double usual_way_ = 0;                 ///< of the shape that moves most of what was drawn, model units
   double symmetry_ = 0;                  ///< of what the lines ask for, 0 to 1
   std::vector<double> asked_;            ///< one a group that tells of controls

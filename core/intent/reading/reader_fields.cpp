@@ -157,7 +157,6 @@ void Reader::measure_fields() {
   // Where both sides are drawn, the other side of one is near the other.
   const double one_sided =
       images.empty() ? 0.0 : std::max(0.0, 1.0 - 2.0 * both / static_cast<double>(images.size()));
-  near_count_ = near.size();
   std::vector<std::size_t> place_in_near(fields.places().size(), near.size());
   for (std::size_t i = 0; i < near.size(); ++i) place_in_near[near[i]] = i;
   const std::size_t n = start_.size();
@@ -189,11 +188,7 @@ void Reader::measure_fields() {
         }
         const double square = square_of(way);
         if (is_mirrored[sample]) one.mirrored_square += one_sided * square;
-        if (is_distant[sample]) {
-          farthest = std::max(farthest, square);
-        } else {
-          one.around_square += square;
-        }
+        if (is_distant[sample]) farthest = std::max(farthest, square);
       }
       one.distant_way += farthest;
       for (const WholeModel::PlaceMoved& place : whole_.places[first + k]) {
@@ -212,12 +207,10 @@ void Reader::measure_fields() {
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
     one.distant_way = std::sqrt(one.distant_way);
-    one.around_square /= static_cast<double>(std::max<std::size_t>(1, not_far.size() - near.size()));
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
     one.usual_way = std::sqrt(usual);
     if (!turns(j) && most > 0.0) usual_way_ = std::max(usual_way_, one.usual_way);
-    one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(usual / most)) : 1e3;
   }
   for (const RunVariable& run : run_variables_) {
     Field one = fields_[run.parts.front().variable];
@@ -256,9 +249,6 @@ const Reader::Relation& Reader::relation(std::size_t a, std::size_t b) const {
   if (size > 0.0) {
     one->likeness = algebra::dot(&own.near.front().x, &other.near.front().x, 3 * own.near.size()) / size;
     one->overlap = algebra::dot(own.ways.data(), other.ways.data(), own.ways.size()) / size;
-    double against = 0;
-    for (std::size_t i = 0; i < own.near.size(); ++i) against += std::max(0.0, -glm::dot(own.near[i], other.near[i]));
-    one->opposed = against / size;
   }
   for (std::size_t t = 0; t < turns_.size(); ++t) {
     if (turns_joint(a, t) && turns_joint(b, t)) one->likeness = 1.0;
@@ -330,7 +320,7 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, around = 0, scattered = 0, parts = 1, fringe = 1e3, usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
@@ -339,10 +329,8 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     distant = std::max(distant, fields_[v].distant_way);
     mirrored += fields_[v].mirrored_square;
     turn = std::max(turn, fields_[v].turn);
-    around += fields_[v].around_square;
     scattered = std::max(scattered, fields_[v].scattered_way);
     usual = std::max(usual, fields_[v].usual_way);
-    fringe = std::min(fringe, fields_[v].fringe);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
   }
   const double elsewhere = near > 0.0 ? far / near : k_no_share;
@@ -356,15 +344,12 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     return base::log(1.0 + share * share);
   };
   terms[Term::distant] = beside_near(distant);
-  if (turns(unit.members[0]))
-    terms[Term::around] = near > 0.0 ? std::min(1.0, around * static_cast<double>(near_count_) / near) : 1.0;
   terms[Term::turned] = beside_near(turn);
   terms[Term::scattered] = beside_near(scattered);
   const std::size_t first = parameter_of(unit.members[0]);
   if (unit.count == 1 && whole_.partner[parameters_[first]] == k_no_partner && !turns(unit.members[0]))
     terms[Term::lone] = 1.0;
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
-  terms[Term::fringe] = base::log(fringe);
   terms[Term::part] = parts - 1.0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t p = parameters_[parameter_of(unit.members[m])];

@@ -13,8 +13,6 @@ class Relations {
   [[nodiscard]] virtual double likeness(std::size_t a, std::size_t b) const = 0;
   /// How much they move the same places, in whatever direction: 0 to 1.
   [[nodiscard]] virtual double overlap(std::size_t a, std::size_t b) const = 0;
-  /// How much they move the same places against each other: 0 to 1.
-  [[nodiscard]] virtual double opposed(std::size_t a, std::size_t b) const = 0;
   /// Whether a variable is a joint's.
   [[nodiscard]] virtual bool is_joint(std::size_t variable) const = 0;
   /// Whether a variable moves a curve of a group.
@@ -30,7 +28,6 @@ class ReadingCosts final : public ChoiceCosts {
       : choices_(choices), weights_(weights), relations_(relations), asked_(asked) {}
 
   [[nodiscard]] double costs_of(const Choice& choice) const override;
-  [[nodiscard]] double limit_costs(const Choice& choice) const override;
   /// Of the squares of its values.
   [[nodiscard]] double stiffness_of(const Choice& choice) const;
   /// Without those that move one group of curves and no other.
@@ -44,17 +41,15 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double cost_of_relations(std::span<const std::size_t> units, std::size_t unit) const;
   /// Whether two units cannot move together.
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
-  [[nodiscard]] bool is_joint(std::size_t variable) const { return relations_.is_joint(variable); }
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
-  /// What costs_of, limit_costs and stiffness_of are the weighted sum of.
+  /// What costs_of and stiffness_of are the weighted sum of.
   [[nodiscard]] inference::Terms terms_of(const Choice& choice) const;
 
  private:
   /// Of the members' pairs the one farthest from 0.
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
-  [[nodiscard]] double opposed(std::size_t a, std::size_t b) const;
   void add_relations(std::span<const std::size_t> units, std::size_t unit, inference::Terms& terms) const;
   /// Of the groups that none of the units moves: a line that asks for more than the hand's doubt is not drawn for
   /// nothing.
@@ -62,8 +57,6 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double cost_of_nothing(std::size_t group) const;
   /// Decades by which a group asks for more than a hand strays.
   [[nodiscard]] double decades_asked(std::size_t group) const;
-  /// Units near an end of their range, 0 to 1 each.
-  [[nodiscard]] double limits_of(const Choice& choice) const;
   /// The units of a choice that move anything to speak of.
   [[nodiscard]] std::vector<std::size_t> moving(const Choice& choice) const;
   [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;
