@@ -1,4 +1,7 @@
-// Written by tests/learn/learn; do not edit.
+// Written by tests/learn/learn for edition 8; do not edit.
+// Rigs: those of tests/judges/rigs/seen and random rigs of the seeds 1 to 32.
+// rigs left out      loss 0.298, likeliest reading right in 89.2 % of 8428 cases,
+// learned            loss 0.268, likeliest reading right in 90.2 % of 8428 cases.
 #include "core/inference/weights.h"
 
 namespace penpose::inference {
@@ -7,27 +10,27 @@ namespace {
 Weights table() {
   Weights w;
   w.by[Term::evidence] = 1;
-  w.by[Term::unit] = 1.298;
-  w.by[Term::elsewhere] = 0.8583;
-  w.by[Term::distant] = 1.725;
-  w.by[Term::mirrored] = 22.33;
-  w.by[Term::turned] = 23.06;
-  w.by[Term::scattered] = 8.589;
-  w.by[Term::lone] = 1.197;
+  w.by[Term::unit] = 1.242;
+  w.by[Term::elsewhere] = 0.8564;
+  w.by[Term::distant] = 1.688;
+  w.by[Term::mirrored] = 22.37;
+  w.by[Term::turned] = 23.11;
+  w.by[Term::scattered] = 8.644;
+  w.by[Term::lone] = 1.183;
   w.by[Term::faint] = 1.424;
-  w.by[Term::carried] = 9.61;
-  w.by[Term::axis] = 0.8537;
-  w.by[Term::part] = 0.3971;
-  w.by[Term::crosses] = 4.049;
-  w.by[Term::lopsided] = 8.29;
-  w.by[Term::against] = 1.933;
-  w.by[Term::helper] = 20.55;
-  w.by[Term::share] = 0.6317;
-  w.by[Term::tie] = 5.806;
-  w.by[Term::nothing] = 3.133;
-  w.by[Term::partial] = 12.78;
-  w.by[Term::left_out] = 2.57;
-  w.by[Term::overshot] = 17.42;
+  w.by[Term::carried] = 9.375;
+  w.by[Term::axis] = 0.8915;
+  w.by[Term::part] = 0.3902;
+  w.by[Term::crosses] = 5.037;
+  w.by[Term::lopsided] = 8.533;
+  w.by[Term::against] = 1.764;
+  w.by[Term::helper] = 20.79;
+  w.by[Term::share] = 0.6086;
+  w.by[Term::tie] = 4.809;
+  w.by[Term::nothing] = 3.042;
+  w.by[Term::partial] = 12.94;
+  w.by[Term::left_out] = 2.77;
+  w.by[Term::overshot] = 17.44;
   w.by[Term::one_end] = 100;
   w.by[Term::taught] = 1;
   w.by[Term::leaning] = 1;

@@ -86,7 +86,8 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
   if (!ascending || (!problem.locked.empty() && problem.locked.back() >= rig.parameters().size()))
     return base::Error{"what is locked is no list of parameters", "locked", "name parameters of the rig, ascending"};
   const bool taught_fits = problem.taught.empty() || problem.taught.size() == rig.parameters().size();
-  if (!taught_fits || !std::all_of(problem.taught.begin(), problem.taught.end(), [](double by) { return std::isfinite(by); }))
+  if (!taught_fits ||
+      !std::all_of(problem.taught.begin(), problem.taught.end(), [](double by) { return std::isfinite(by); }))
     return base::Error{"what choices taught does not fit the rig", "taught", "give a number for each parameter"};
   if (!problem.posed.empty()) {
     posing::PoseProblem plain = as_pose_problem(problem);

@@ -336,9 +336,7 @@ base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const W
   for (const rig::Pose& pose : also) {
     const Choice choice = reader.choice_of(pose);
     for (const auto& aligned : {best.aligned, whole_lines}) {
-      const auto same = [&](const Reading& one) {
-        return one.aligned == aligned && one.choice.units == choice.units;
-      };
+      const auto same = [&](const Reading& one) { return one.aligned == aligned && one.choice.units == choice.units; };
       if (std::any_of(all.begin(), all.end(), same)) continue;
       solver.align_as({{}, 0.0, aligned});
       all.push_back(solver.matched(choice));

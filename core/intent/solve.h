@@ -50,9 +50,8 @@ struct Solution {
   std::size_t variables = 0;          ///< parameters that move the curves
   std::size_t evaluations = 0;        ///< of the energy
   bool linear = false;
-  std::vector<OtherReading>
-      others;  ///< the likeliest first, at most SolveOptions::others; no two look alike
-  double probability = 1;  ///< of the reading taken, where others were asked for
+  std::vector<OtherReading> others;  ///< the likeliest first, at most SolveOptions::others; no two look alike
+  double probability = 1;            ///< of the reading taken, where others were asked for
 };
 
 /// Scratch memory, and data of a rig to keep between solves.
@@ -83,9 +82,9 @@ class SolveWorkspace {
 
 /// A reading, and what its energy is made of.
 struct ExplainedReading {
-  rig::Pose pose;             ///< all parameters of the rig
-  double energy = 0;          ///< the terms by their weights
-  double probability = 0;     ///< among the readings that were found
+  rig::Pose pose;          ///< all parameters of the rig
+  double energy = 0;       ///< the terms by their weights
+  double probability = 0;  ///< among the readings that were found
   inference::Terms terms;
 };
 

@@ -42,8 +42,7 @@ class Reads {
     std::vector<rig::Pose> also = known;
     if (!allowed.empty()) {
       intent::IntentProblem part = *problem;
-      std::erase_if(part.free,
-                    [&](std::size_t p) { return !std::binary_search(allowed.begin(), allowed.end(), p); });
+      std::erase_if(part.free, [&](std::size_t p) { return !std::binary_search(allowed.begin(), allowed.end(), p); });
       if (auto solution = intent::solve(*model_.rig, whole_, part, options_, work_)) also.push_back(solution->pose);
     }
     auto readings = intent::explain(*model_.rig, whole_, *problem, options_, work_, also);
@@ -93,8 +92,7 @@ void collect_gestures(const Asked& asked, const inference::Weights& weights, Kno
     LearnCase one;
     one.rig = asked.name;
     one.name = "gesture " + gesture.asked.name;
-    for (const auto& reading :
-         reads.read(gesture.asked, parameters_of(asked.model, allowed), known[one.name])) {
+    for (const auto& reading : reads.read(gesture.asked, parameters_of(asked.model, allowed), known[one.name])) {
       Outcome outcome;
       judge.judge(gesture, reading.pose, outcome);
       one.candidates.push_back({reading.terms, outcome.right == 1.0, outcome.note});
@@ -151,11 +149,11 @@ std::vector<LearnCase> collect(const Asked& asked, const inference::Weights& wei
 std::vector<LearnCase> collect(const judges::Rig& rig, const inference::Weights& weights, KnownReadings& known) {
   if (rig.lines.empty()) return {};
   const bool by_lot = rig.name.starts_with("random");
-  return collect({rig.name, rig.model,
-                  by_lot ? judges::random_gestures(rig, 1, k_random_gestures)
-                         : judges::gestures(rig, judges::Extent::whole),
-                  judges::known_faces(rig, judges::Extent::whole)},
-                 weights, known);
+  return collect(
+      {rig.name, rig.model,
+       by_lot ? judges::random_gestures(rig, 1, k_random_gestures) : judges::gestures(rig, judges::Extent::whole),
+       judges::known_faces(rig, judges::Extent::whole)},
+      weights, known);
 }
 
 }  // namespace penpose::learn

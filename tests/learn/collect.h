@@ -21,7 +21,8 @@ struct Asked {
   std::vector<judges::KnownFace> faces;
 };
 /// Readings of all these cases by these weights, judged. `known` receives the readings.
-[[nodiscard]] std::vector<LearnCase> collect(const Asked& asked, const inference::Weights& weights, KnownReadings& known);
+[[nodiscard]] std::vector<LearnCase> collect(const Asked& asked, const inference::Weights& weights,
+                                             KnownReadings& known);
 
 /// The same of a rig: gestures, and whole faces of known poses.
 [[nodiscard]] std::vector<LearnCase> collect(const judges::Rig& rig, const inference::Weights& weights,

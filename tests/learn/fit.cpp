@@ -110,7 +110,8 @@ double loss_of(const std::vector<LearnCase>& cases, const Terms& by, const Width
 Score score(const std::vector<LearnCase>& cases, const Terms& by) {
   Score out;
   for (const LearnCase& one : cases) {
-    if (std::none_of(one.candidates.begin(), one.candidates.end(), [](const Candidate& c) { return c.right; })) continue;
+    if (std::none_of(one.candidates.begin(), one.candidates.end(), [](const Candidate& c) { return c.right; }))
+      continue;
     ++out.of;
     const std::vector<double> p = likelihoods(one, by);
     out.loss += loss_of(one, p);
@@ -122,10 +123,6 @@ Score score(const std::vector<LearnCase>& cases, const Terms& by) {
     out.right /= static_cast<double>(out.of);
   }
   return out;
-}
-
-double loss(const std::vector<LearnCase>& cases, const Terms& by, const Widths& widths) {
-  return loss_of(cases, by, widths, nullptr);
 }
 
 Terms fit(const std::vector<LearnCase>& cases, Terms by, const Widths& widths) {

@@ -34,13 +34,12 @@ struct Score {
 /// stays as it is.
 using Widths = inference::Terms;
 
-/// What `fit` minimises.
-[[nodiscard]] double loss(const std::vector<LearnCase>& cases, const inference::Terms& by, const Widths& widths);
-
-/// Maximum conditional likelihood (Taskar 2004): minimises the sum over cases of
-///   -log [ sum over right readings exp(-E) / sum over all readings exp(-E) ],   E = by . terms
-/// plus half the squares of weights over widths. No weight is negative. Newton steps from `by`, as in Boyd and
-/// Vandenberghe, "Convex Optimization", 9.5; the problem is not convex where several are right, so the start matters.
+/// Maximum conditional likelihood (Taskar, Guestrin and Koller 2004), with a share of labels that may be wrong:
+/// minimises the sum over cases of
+///   -log [ 0.98 p + 0.02 ],   p = sum over right readings exp(-E) / sum over all readings exp(-E),   E = by . terms
+/// plus half the squares of weights over widths. No weight is negative. Newton steps from `by`, each on a convex bound
+/// (Yuille and Rangarajan, "The concave-convex procedure", 2003); it is not convex where several are right, so the
+/// start matters.
 [[nodiscard]] inference::Terms fit(const std::vector<LearnCase>& cases, inference::Terms by, const Widths& widths);
 
 }  // namespace penpose::learn

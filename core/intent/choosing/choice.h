@@ -17,8 +17,8 @@ inline constexpr double k_least_pivot = 1e-12;
 struct Unit {
   std::array<std::size_t, 3> members{};
   std::size_t count = 1;
-  bool tied = false;  ///< left and right move alike
-  double charge = 0;  ///< its own cost, added to the cost of every unit
+  bool tied = false;         ///< left and right move alike
+  double charge = 0;         ///< its own cost, added to the cost of every unit
   inference::Terms terms{};  ///< of lines on faces: what the charge is the weighted sum of
 };
 

@@ -230,7 +230,7 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
   }
   Alignment beside = list.front();
   beside.offset_px = k_offset * drawn;
-  beside.rough = 1.3;   // such lines are drawn the more roughly
+  beside.rough = 1.3;  // such lines are drawn the more roughly
   list.push_back(beside);
   for (Alignment& one : list) {
     one.ends = k_ends;

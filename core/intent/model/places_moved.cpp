@@ -18,17 +18,18 @@ constexpr double k_least_share = 0.03;
 /// For each sample those that are among the nearest of it, or it among theirs.
 std::vector<std::vector<std::uint32_t>> neighbours_of(std::span<const ModelPoint> places) {
   std::vector<std::vector<std::uint32_t>> out(places.size());
-  std::vector<std::pair<double, std::uint32_t>> by_distance;
+  std::vector<std::pair<double, std::uint32_t>> nearest;  // the nearest first
   for (std::uint32_t i = 0; i < places.size(); ++i) {
-    by_distance.clear();
+    nearest.clear();
     for (std::uint32_t k = 0; k < places.size(); ++k) {
-      if (k != i) by_distance.emplace_back(square_of(places[k] - places[i]), k);
+      const std::pair<double, std::uint32_t> one{square_of(places[k] - places[i]), k};
+      if (k == i || (nearest.size() == k_nearest && one > nearest.back())) continue;
+      nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), one), one);
+      if (nearest.size() > k_nearest) nearest.pop_back();
     }
-    const std::size_t count = std::min(k_nearest, by_distance.size());
-    std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count), by_distance.end());
-    for (std::size_t n = 0; n < count; ++n) {
-      out[i].push_back(by_distance[n].second);
-      out[by_distance[n].second].push_back(i);
+    for (const auto& [distance, other] : nearest) {
+      out[i].push_back(other);
+      out[other].push_back(i);
     }
   }
   return out;

@@ -51,7 +51,7 @@ struct WholeModel {
   /// For each shape: the places that it moves, apart from each other. A place is a set of samples that move by at least
   /// a share of the most, each near another one. Empty for joints, which move one.
   struct PlaceMoved {
-    double way = 0;  ///< the largest, model units
+    double way = 0;                      ///< the largest, model units
     std::vector<std::uint32_t> samples;  ///< numbers of ControlFields::samples
   };
   std::vector<std::vector<PlaceMoved>> places;

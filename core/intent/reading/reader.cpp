@@ -65,8 +65,8 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.drawn = &curve;
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
-    block.alignments =
-        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()), weights);
+    block.alignments = intent::alignments(seen(block, start_), curve.target,
+                                          curve::pairing_distance_px(curve.camera.viewport()), weights);
     // A line that corrects a part goes on in what it leaves as it is: all of the reference is meant.
     if (!curve.stays.empty()) block.alignments.resize(1);
   }

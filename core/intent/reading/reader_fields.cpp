@@ -155,8 +155,7 @@ void Reader::measure_fields() {
     if (std::binary_search(near.begin(), near.end(), s)) both += 1.0;
   }
   // Where both sides are drawn, the other side of one is near the other.
-  const double one_sided =
-      images.empty() ? 0.0 : std::max(0.0, 1.0 - 2.0 * both / static_cast<double>(images.size()));
+  const double one_sided = images.empty() ? 0.0 : std::max(0.0, 1.0 - 2.0 * both / static_cast<double>(images.size()));
   std::vector<std::size_t> place_in_near(fields.places().size(), near.size());
   for (std::size_t i = 0; i < near.size(); ++i) place_in_near[near[i]] = i;
   const std::size_t n = start_.size();

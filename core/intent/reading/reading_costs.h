@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/intent/choosing/selection.h"
 #include "core/inference/weights.h"
+#include "core/intent/choosing/selection.h"
 
 namespace penpose::intent {
 

@@ -24,12 +24,11 @@ std::size_t beyond(const Meaning& meaning, const GestureKind& kind) {
 
 /// Whether the rig has a control that does what is needed and nothing beside it, where this one does more: then that
 /// one is meant.
-bool has_purer(const Rig& rig, const Meaning& meaning, const GestureKind& kind,
-               const std::vector<std::string>& group) {
+bool has_purer(const Rig& rig, const Meaning& meaning, const GestureKind& kind, const std::vector<std::string>& group) {
   return beyond(meaning, kind) > 0 && std::any_of(rig.meanings.begin(), rig.meanings.end(), [&](const Meaning& other) {
-    return beyond(other, kind) == 0 &&
-           std::any_of(other.means.begin(), other.means.end(), [&](const auto& m) { return has(group, m); });
-  });
+           return beyond(other, kind) == 0 &&
+                  std::any_of(other.means.begin(), other.means.end(), [&](const auto& m) { return has(group, m); });
+         });
 }
 
 Meant meant_on(const Rig& rig, const GestureKind& kind) {

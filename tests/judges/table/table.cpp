@@ -98,8 +98,8 @@ std::string printed(std::span<const Row> rows) {
     for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? " " : "") + padded(cells[i], k_widths[i], i < k_text);
     return out + "\n";
   };
-  const std::vector<std::string> head{"measure", "rig",     "group",  "cases",    "right",  "offered", "error %",
-                                      "stray %", "still %", "left %", "controls", "time ms"};
+  const std::vector<std::string> head{"measure", "rig",     "group",   "cases",  "right",    "offered",
+                                      "error %", "stray %", "still %", "left %", "controls", "time ms"};
   std::string text = line(head);
   for (const Row& row : rows) {
     const auto two = [](const std::string& a, const std::string& b) { return a.empty() ? a : a + " / " + b; };

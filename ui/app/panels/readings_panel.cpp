@@ -21,7 +21,8 @@ void show_readings(PanelContext& context, const Area& /*area*/, EditingSession& 
   const char* question = offer.nothing_moved() ? "Nothing moved. Did you mean" : "Did you mean";
   const ImGuiStyle& style = ImGui::GetStyle();
   std::vector<std::string> labels;
-  for (const std::string& words : offer.words()) labels.push_back(words + "?");
+  for (std::size_t i = 0; i < offer.words().size(); ++i)
+    labels.push_back(offer.words()[i] + "? " + std::to_string(offer.percents()[i]) + " %");
   float wide = ImGui::CalcTextSize(question).x + 2 * context.gap + 2 * style.WindowPadding.x;
   float shares = 0;
   for (const std::string& label : labels) shares += button_width(context, label.c_str(), {}, true);

@@ -97,6 +97,9 @@ void ReadingOffer::follow(EditingSession& editing, bool quiet) {
   revision_ = editing.revision();
   const document::Document& document = editing.document();
   words_ = words_of_readings(document);
+  percents_.clear();
+  for (std::size_t i = 0; i < words_.size(); ++i)
+    percents_.push_back(static_cast<int>(std::lround(100.0 * document.moment->others[i].probability)));
   nothing_moved_ = editing.last_stroke().movements().empty();
   // A line that lies where its curve is asks for nothing.
   if (nothing_moved_ && editing.last_stroke().within_hand(document, editing.editor().view().viewport)) words_.clear();

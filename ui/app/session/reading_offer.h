@@ -20,6 +20,8 @@ class ReadingOffer {
   void follow(EditingSession& editing, bool quiet);
   [[nodiscard]] bool open() const { return !words_.empty(); }
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
+  /// How likely each is, per cent, rounded; one a word.
+  [[nodiscard]] const std::vector<int>& percents() const { return percents_; }
   /// Whether the line moved nothing, though it asks for more than the hand's doubt.
   [[nodiscard]] bool nothing_moved() const { return nothing_moved_; }
   /// Shows one on the face; nothing: none.
@@ -29,6 +31,7 @@ class ReadingOffer {
 
  private:
   std::vector<std::string> words_;
+  std::vector<int> percents_;
   bool nothing_moved_ = false;
   std::optional<std::size_t> shown_;
   rig::Pose shown_pose_;

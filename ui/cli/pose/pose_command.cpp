@@ -51,7 +51,7 @@ struct SolvedCase {
   std::string name;
   posing::Solution solution;
   double solve_us = 0;
-  std::optional<intent::Solution> meant;  ///< what the default preset says beyond it
+  std::optional<intent::Solution> meant;           ///< what the default preset says beyond it
   std::vector<intent::ExplainedReading> readings;  ///< where they are asked for
 };
 
@@ -146,16 +146,16 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
   for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[document.model->rig->parameters()[i].name] = s.pose[i];
   const Json others = solved.meant ? others_json(*solved.meant, *document.model->rig) : Json::array();
   Json out = {{"name", solved.name},
-          {"variables", s.variables},
-          {"energy_start", s.energy_start},
-          {"energy", s.energy},
-          {"max_distance", s.max_distance},
-          {"parameters", std::move(parameters)},
-          {"others", others},
-          {"evaluations", s.evaluations},
-          {"put_back", s.put_back},
-          {"solve_us", solved.solve_us},
-          {"state", hasher(document).whole.hex()}};
+              {"variables", s.variables},
+              {"energy_start", s.energy_start},
+              {"energy", s.energy},
+              {"max_distance", s.max_distance},
+              {"parameters", std::move(parameters)},
+              {"others", others},
+              {"evaluations", s.evaluations},
+              {"put_back", s.put_back},
+              {"solve_us", solved.solve_us},
+              {"state", hasher(document).whole.hex()}};
   if (!solved.readings.empty()) out["readings"] = explained_json(solved.readings, *document.model->rig);
   return out;
 }
@@ -269,8 +269,7 @@ void add_options(const Command& command, PoseArguments& arguments) {
           "single simplex of 2006")
       .one_of({"default", "exact", "paper"});
   command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
-  command.add_flag("--explain",
-                   arguments.explain,
+  command.add_flag("--explain", arguments.explain,
                    "Print how the lines can be read and why the first reading wins (preset default, lines on faces)");
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);

@@ -78,7 +78,9 @@ Problem read_taken(const json::Json& project, const std::string& pointer, Docume
     if (auto problem = read_names((*value)[i], "instead_of", at, one.instead_of)) return problem;
     const json::Json* by = json::find((*value)[i], "by");
     if (by == nullptr || !by->is_number() || !(std::abs(by->get<double>()) <= document::k_most_taught))
-      return project_error("a number from 0 to " + std::to_string(static_cast<int>(document::k_most_taught)) + " was expected", json::child(at, "by"));
+      return project_error(
+          "a number from 0 to " + std::to_string(static_cast<int>(document::k_most_taught)) + " was expected",
+          json::child(at, "by"));
     one.by = by->get<double>();
   }
   // A control that is gone tells nothing.
@@ -132,7 +134,8 @@ Problem read_pending(const json::Json& project, const std::string& pointer, Docu
 
 json::Json to_json(const std::vector<document::TakenReading>& taken) {
   json::Json out = json::Json::array();
-  for (const document::TakenReading& one : taken) out.push_back({{"taken", one.taken}, {"instead_of", one.instead_of}, {"by", one.by}});
+  for (const document::TakenReading& one : taken)
+    out.push_back({{"taken", one.taken}, {"instead_of", one.instead_of}, {"by", one.by}});
   return out;
 }
 

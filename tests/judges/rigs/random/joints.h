@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "tests/judges/rigs/random/body.h"
 #include "tests/judges/rigs/random/names.h"
+#include "tests/judges/rigs/random/pieces/body.h"
 
 namespace penpose::judges {
 

@@ -6,11 +6,11 @@
 
 #include "core/base/math.h"
 #include "tests/judges/rigs/random/density.h"
-#include "tests/judges/rigs/random/eye_pieces.h"
 #include "tests/judges/rigs/random/gaze.h"
 #include "tests/judges/rigs/random/habits.h"
-#include "tests/judges/rigs/random/head_pieces.h"
 #include "tests/judges/rigs/random/landmarks.h"
+#include "tests/judges/rigs/random/pieces/eye_pieces.h"
+#include "tests/judges/rigs/random/pieces/head_pieces.h"
 #include "tests/judges/rigs/sculpt.h"
 
 namespace penpose::judges {

@@ -59,7 +59,7 @@ TEST(Readings, OneIsTakenAtAPressInOneStepAndCanBeTakenBack) {
   ASSERT_TRUE(offer_of(desk).open());
   const auto before = editing_of(desk).state();
   const rig::Pose first = desk.document().pose;
-  const rig::Pose second = desk.document().moment->others[0];
+  const rig::Pose second = desk.document().moment->others[0].pose;
   const std::size_t steps = editing_of(desk).steps().list().size();
   desk.click("reading 1");
   EXPECT_EQ(desk.document().pose, second);
@@ -115,10 +115,10 @@ TEST(Readings, KeysTakeTheSecondAndTheThird) {
   desk.press('y');
   EXPECT_EQ(editing_of(desk).steps().list().size(), 0U) << "there is nothing to take";
   draw_smile(desk);
-  ASSERT_EQ(offer_of(desk).words().size(), 2U);
+  ASSERT_GE(offer_of(desk).words().size(), 2U);
   const auto others = desk.document().moment->others;
   desk.press('y', false, true);
-  EXPECT_EQ(desk.document().pose, others[1]);
+  EXPECT_EQ(desk.document().pose, others[1].pose);
   desk.press('z', true);
   EXPECT_FALSE(offer_of(desk).open()) << "what is undone asks no question";
 }

@@ -1,4 +1,4 @@
-#include "tests/judges/rigs/random/body.h"
+#include "tests/judges/rigs/random/pieces/body.h"
 
 #include <algorithm>
 #include <cmath>

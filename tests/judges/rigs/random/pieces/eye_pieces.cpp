@@ -1,4 +1,4 @@
-#include "tests/judges/rigs/random/eye_pieces.h"
+#include "tests/judges/rigs/random/pieces/eye_pieces.h"
 
 #include <algorithm>
 #include <array>

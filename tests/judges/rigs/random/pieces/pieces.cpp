@@ -1,4 +1,4 @@
-#include "tests/judges/rigs/random/pieces.h"
+#include "tests/judges/rigs/random/pieces/pieces.h"
 
 #include <algorithm>
 #include <utility>

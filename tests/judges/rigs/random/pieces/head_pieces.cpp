@@ -1,4 +1,4 @@
-#include "tests/judges/rigs/random/head_pieces.h"
+#include "tests/judges/rigs/random/pieces/head_pieces.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/judges/rigs/random/dice.h"
-#include "tests/judges/rigs/random/pieces.h"
+#include "tests/judges/rigs/random/pieces/pieces.h"
 
 namespace penpose::judges {
 
