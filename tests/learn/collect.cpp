@@ -21,6 +21,8 @@ constexpr std::size_t k_kept = 40;
 constexpr double k_as_good = 10.0;
 /// Known faces are more than gestures.
 constexpr double k_weight_of_known = 0.4;
+/// Lines that are drawn again where they are ask for nothing.
+constexpr double k_weight_of_still = 2.0;
 /// Gestures made by lot of a rig made by lot.
 constexpr std::size_t k_random_gestures = 60;
 
@@ -117,7 +119,7 @@ void collect_known_faces(const Asked& asked, const inference::Weights& weights, 
     LearnCase made;
     made.rig = asked.name;
     made.name = "known " + one.asked.name;
-    made.weight = k_weight_of_known;
+    made.weight = allowed.empty() ? k_weight_of_still : k_weight_of_known;
     const auto truth = face.moved(one.truth);
     std::vector<double> errors;
     for (const auto& reading : reads.read(one.asked, allowed, known[made.name])) {

@@ -31,12 +31,12 @@ constexpr double k_first = 4.0;
 
 constexpr const char* k_usage =
     "usage: learn [--rounds N] [--set SCALE=VALUE]... [-o TABLE.cpp]\n"
-    "  --rounds N    rounds of search and learning (6)\n"
+    "  --rounds N    rounds of search and learning (4)\n"
     "  --set ...     another value of a scale of the table, such as reach=8\n"
     "  -o TABLE.cpp  writes the table, core/inference/learned_weights.cpp\n";
 
 struct Arguments {
-  int rounds = 6;
+  int rounds = 4;
   std::string table;
   inference::Weights weights;
 };
