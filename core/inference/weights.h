@@ -7,7 +7,8 @@
 namespace penpose::inference {
 
 /// What tells one reading from another: the weight of each term, and the scales that terms are made with.
-/// `learned_weights` is the table that `tests/learn` writes.
+/// There are two tables: the one in use was set by hand on seven rigs; the one that `tests/learn` writes is a shadow of
+/// it until it is nowhere worse.
 struct Weights {
   Terms by;
   /// Scale of the evidence's logarithm: how many squares of doubt a curve has when the hand alone is left.
@@ -16,6 +17,8 @@ struct Weights {
   double asks_from = 18.0;
   /// Joints carry this many times what is near the lines (squared) as a rule.
   double carried_from = 8.0;
+  /// A range has more to give up to this share of it.
+  double limit_from = 0.8;
   /// Weight of the squares of shares once it is known which controls move: values follow the lines.
   double settled_share = 0.2;
   /// Share of the size of what shapes move from which on lips are driven through each other.
@@ -32,8 +35,16 @@ struct Weights {
   double spans = 0.6;
   /// Joints that carry this many times what is near the drawn curves (squared) are thought of last.
   double carries_more = 8.0;
+  /// Where nothing but joints that carry more than was drawn could take a line this share of its way, those are meant
+  /// whatever the line spans; 0: never.
+  double follows = 0.1;
+  /// A reading that leaves more than this share of the squares of every line is none.
+  double gives_up = 0.85;
+  /// Readings of a round that are matched on their own, and how far above the best.
+  double rivals = 3.0;
+  double window = 6.0;
   /// Readings are offered that are as likely as this, or likelier.
-  double offered = 0.01;
+  double offered = 6e-6;
   /// Readings look alike that differ by less than this share of what they move.
   double alike = 0.3;
   /// A reading that was taken in place of another is the best one from then on, by this much.
@@ -50,6 +61,8 @@ struct Scale {
 [[nodiscard]] std::span<const Scale> scales();
 
 /// The table in use.
+[[nodiscard]] const Weights& hand_set_weights();
+/// The table that was learned: `penpose pose --preset map`.
 [[nodiscard]] const Weights& learned_weights();
 
 }  // namespace penpose::inference

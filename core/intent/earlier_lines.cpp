@@ -113,7 +113,7 @@ IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& read
 
 Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const rig::Pose& pose,
            const Fit* as) {
-  Reader reader(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem);
   const Choice choice = reader.choice_of(pose);
   const ReadingCosts reading = reader.reading_costs();
   const double costs = reading.costs_of(choice) + reading.limit_costs(choice);

@@ -62,7 +62,7 @@ struct LivePoser::State {
   [[nodiscard]] const Reader& reader() const { return *read; }
 
   void read_anew() {
-    read = std::make_unique<Reader>(rig, whole, problem);
+    read = std::make_unique<Reader>(Reader::of(rig, whole, problem));
     if (!chain.empty()) read->restrict_to(chain);
     choice = {};
     pose = problem.start;

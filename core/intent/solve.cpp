@@ -183,7 +183,7 @@ Reading read_limbs(Reader& reader, LimbSolver& solver, std::size_t drawn) {
 /// A checked problem, whatever is locked. `units`: receives how many moved.
 Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                     const SolveOptions& options, SolveWorkspace& work, std::size_t& units) {
-  Reader reader(rig, whole, problem, *options.weights);
+  Reader reader = Reader::of(rig, whole, problem, *options.weights);
   Solution solution;
   solution.variables = reader.parameters().size();
   solution.linear = reader.linear();
@@ -314,7 +314,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
                              const SolveOptions& options, SolveWorkspace& work) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
   if (problem.posed.empty()) return solve_whole(rig, whole, problem, options, work);
-  Reader reader(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem);
   auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
   if (solution) describe(rig, problem, reader, *solution);
   return solution;
@@ -325,7 +325,7 @@ base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const W
                                                     SolveWorkspace& work, std::span<const rig::Pose> also) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
   const IntentProblem unlocked = as_if_unlocked(problem);
-  Reader reader(rig, whole, unlocked, *options.weights);
+  Reader reader = Reader::of(rig, whole, unlocked, *options.weights);
   std::vector<ExplainedReading> out;
   if (reader.limb()) return out;
   FaceSolver solver(reader, options, work.buffers());
@@ -360,7 +360,7 @@ base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const W
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,
                                                    const IntentProblem& problem) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
-  Reader reader(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem);
   const Reader::Left left = reader.left(problem.start);
   std::vector<CurveLeft> out;
   for (std::size_t c = 0; c < problem.drawn.size(); ++c)

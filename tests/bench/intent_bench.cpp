@@ -122,7 +122,7 @@ void subplex(benchmark::State& state, std::size_t index) {
   const auto problem = face.problem(index);
   intent::SolveWorkspace work;
   const auto found = intent::solve(*face.model.rig, face.whole, problem, {}, work).value();
-  intent::Reader reader(*face.model.rig, face.whole, problem);
+  intent::Reader reader = intent::Reader::of(*face.model.rig, face.whole, problem);
   intent::Quadratic quadratic;
   intent::Choice at;
   intent::Choice all;

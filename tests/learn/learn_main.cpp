@@ -1,6 +1,7 @@
 // Learns the weights of core/inference from readings of generated cases, leaving rigs out in turn, and writes the
 // table. docs/developing.md says how it is used.
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -26,6 +27,8 @@ constexpr double k_made_with_care = 4.0;
 constexpr std::size_t k_parts = 8;
 /// How strongly weights are held near 0.
 constexpr double k_width = 8.0;
+/// What only the table that was set by hand weighs: learning found them worth nothing.
+constexpr std::array k_of_the_other_table{Term::fringe, Term::twice, Term::limit, Term::backwards};
 /// Weights before anything is learned.
 constexpr double k_first = 4.0;
 
@@ -35,10 +38,21 @@ constexpr const char* k_usage =
     "  --set ...     another value of a scale of the table, such as reach=8\n"
     "  -o TABLE.cpp  writes the table, core/inference/learned_weights.cpp\n";
 
+/// Scales without the rules that the energy makes unnecessary, and with a longer look.
+inference::Weights without_rules() {
+  inference::Weights weights;
+  weights.follows = 0;
+  weights.gives_up = 1e6;
+  weights.rivals = 8;
+  weights.window = 8;
+  weights.offered = 0.01;
+  return weights;
+}
+
 struct Arguments {
   int rounds = 4;
   std::string table;
-  inference::Weights weights;
+  inference::Weights weights = without_rules();
 };
 
 bool set_scale(const std::string& text, inference::Weights& weights) {
@@ -70,12 +84,14 @@ Widths widths_of() {
   Widths widths;
   for (double& width : widths.values()) width = k_width;
   for (const Term fixed : {Term::evidence, Term::taught, Term::leaning, Term::one_end}) widths[fixed] = 0;
+  for (const Term other : k_of_the_other_table) widths[other] = 0;
   return widths;
 }
 
 Terms first_weights() {
   Terms by;
   for (double& weight : by.values()) weight = k_first;
+  for (const Term other : k_of_the_other_table) by[other] = 0;
   by[Term::evidence] = 1;
   by[Term::taught] = 1;
   by[Term::leaning] = 1;
@@ -152,7 +168,7 @@ bool write(const std::string& path, const inference::Weights& weights, const std
       file,
       "// Written by tests/learn/learn for edition %u; do not edit.\n// Rigs: those of tests/judges/rigs/seen and "
       "random rigs of the seeds 1 to %u.\n%s#include \"core/inference/weights.h\"\n\n"
-      "namespace penpose::inference {\nnamespace {\n\nWeights table() {\n  Weights w;\n",
+      "namespace penpose::inference {\nnamespace {\n\nWeights learned_table() {\n  Weights w;\n",
       static_cast<unsigned>(base::k_edition), static_cast<unsigned>(k_random_rigs), figures.c_str());
   for (std::size_t k = 0; k < k_term_count; ++k)
     std::fprintf(file, "  w.by[Term::%s] = %.4g;\n", inference::name_of(static_cast<Term>(k)), weights.by.values()[k]);
@@ -160,7 +176,7 @@ bool write(const std::string& path, const inference::Weights& weights, const std
     std::fprintf(file, "  w.%s = %.4g;\n", scale.name, weights.*scale.value);
   std::fputs(
       "  return w;\n}\n\n}  // namespace\n\nconst Weights& learned_weights() {\n"
-      "  static const Weights weights = table();\n  return weights;\n}\n\n}  // namespace penpose::inference\n",
+      "  static const Weights weights = learned_table();\n  return weights;\n}\n\n}  // namespace penpose::inference\n",
       file);
   return std::fclose(file) == 0;
 }

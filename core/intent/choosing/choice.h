@@ -55,7 +55,7 @@ class ChoiceCosts {
   /// Of its units at its values, including the differences of pairs, without limit_costs.
   [[nodiscard]] virtual double costs_of(const Choice& choice) const = 0;
   /// The extra cost of units at an end of a range.
-  [[nodiscard]] virtual double limit_costs(const Choice& /*choice*/) const { return 0.0; }
+  [[nodiscard]] virtual double limit_costs(const Choice& choice) const = 0;
 };
 
 }  // namespace penpose::intent

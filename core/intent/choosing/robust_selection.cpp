@@ -85,7 +85,7 @@ Choice RobustSelection::fit(std::vector<std::size_t> units) {
     squares_at(choice, squares_);
     if (weighing > 0 && change < k_settled) break;
   }
-  choice.costs = costs_.costs_of(choice);
+  choice.costs = costs_.costs_of(choice) + costs_.limit_costs(choice);
   choice.energy = doubt_.energy(squares_) + choice.costs + costs_.stiffness_of(choice);
   return choice;
 }

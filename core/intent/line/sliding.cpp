@@ -16,8 +16,6 @@ namespace {
 
 /// Lines that tell a shape lie beside where they were meant by this share of their length (root mean square).
 constexpr double k_offset = 0.07;
-/// What believing that costs.
-constexpr double k_beside = 4.0;
 /// Both ends of a line are places of the face, a corner of the mouth or of an eye: they say this much more than what
 /// lies between, over a tenth of the length each.
 constexpr double k_ends = 2.0;
@@ -200,6 +198,7 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
     list.push_back(one);
     if (std::abs(forward - backward) < 0.3 * turn) {
       one.reversed = !reversed;
+      one.terms[Term::backwards] = 1.0;
       list.push_back(one);
     }
   };
@@ -230,11 +229,12 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
   }
   Alignment beside = list.front();
   beside.offset_px = k_offset * drawn;
-  beside.rough = 1.3;  // such lines are drawn the more roughly
+  beside.terms[Term::backwards] += 1.0;  // what believing that costs
+  beside.rough = 1.3;                    // such lines are drawn the more roughly
   list.push_back(beside);
   for (Alignment& one : list) {
     one.ends = k_ends;
-    one.charge = weights.by.dot(one.terms) + (one.offset_px > 0.0 ? k_beside : 0.0);
+    one.charge = weights.by.dot(one.terms);
   }
   return list;
 }

@@ -15,8 +15,6 @@ namespace {
 constexpr double k_some_way = 0.85;
 /// Other readings are matched on their own before one is taken: so many of each round, within this of the best energy.
 /// A line is read in full as aligned in another way where a first look comes as near.
-constexpr std::size_t k_rivals = 8;
-constexpr double k_window = 8.0;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2, k_general_matches = 4;
 /// A window that leaves nothing out.
@@ -62,7 +60,8 @@ Reading FaceSolver::read_choices() {
     choice = near(choice, selection.select(selection.fit(choice.units), options_.most_units));
     evaluations += selection.evaluations();
     if (round > 0 && round + 1 < rounds) continue;
-    for (Choice& one : selection.best(k_rivals, k_window)) rivals.push_back(std::move(one));
+    for (Choice& one : selection.best(static_cast<std::size_t>(reader_.weights().rivals), reader_.weights().window))
+      rivals.push_back(std::move(one));
     if (round + 1 == rounds && options_.others > 0) asides = exchanges(selection, choice);
   }
   const std::size_t known = matched_.size();
@@ -173,7 +172,7 @@ Reading FaceSolver::read() {
       const double asked = reader_.squares_left({})[c];
       if (lines == 1 && asked < reader_.weights().asks_from) continue;
       // Where a first look comes nowhere near it so, it is not how the line was drawn.
-      if (first_look(best.choice, c) > best.energy + k_window) continue;
+      if (first_look(best.choice, c) > best.energy + reader_.weights().window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
       if (lines == 1 ? reader_.squares_left(one.choice)[c] > k_some_way * asked : one.choice.units.empty()) continue;
@@ -186,7 +185,8 @@ Reading FaceSolver::read() {
   }
   matched_ = std::move(of_best);
   // What comes hardly nearer is not what was meant.
-  return best;
+  // What comes hardly nearer is not what was meant.
+  return leaves_less(best.choice, reader_.weights().gives_up) ? best : matched({});
 }
 
 std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t count, double& probability) {

@@ -39,12 +39,29 @@ posing::PoseProblem points_of(const IntentProblem& problem, const std::vector<Kn
 
 }  // namespace
 
+double Reader::way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line) {
+  double sum = 0;
+  for (const PxPoint& p : line) {
+    const double off = curve::distance_to(curve, p);
+    sum += off * off;
+  }
+  return std::sqrt(sum / static_cast<double>(line.size()));
+}
+
+Reader Reader::of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                  const inference::Weights& weights) {
+  Reader reader(rig, whole, problem, weights);
+  if (weights.follows == 0.0 || reader.limb() || reader.others_follow()) return reader;
+  return Reader(rig, whole, problem, weights, true);
+}
+
 Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-               const inference::Weights& weights)
+               const inference::Weights& weights, bool any_span)
     : rig_(rig),
       whole_(whole),
       problem_(problem),
       still_(still_points_of(rig, problem)),
+      any_span_(any_span),
       weights_(weights),
       system_(rig, points_of(problem, still_)) {
   std::size_t first = 0;

@@ -26,9 +26,12 @@ inline constexpr double k_reach = 150.0;
 /// problem must outlive it. One object for each thread.
 class Reader final : public Relations {
  public:
-  /// Precondition: check_problem passed.
-  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-         const inference::Weights& weights = inference::learned_weights());
+  /// Precondition: check_problem passed. Where nothing but joints that carry more than was drawn could follow the
+  /// lines, those joints are meant, whatever the lines span (Weights::follows).
+  [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                 const inference::Weights& weights = inference::hand_set_weights());
+  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const inference::Weights& weights,
+         bool any_span = false);
 
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const Costs& costs() const { return costs_; }
@@ -179,10 +182,13 @@ class Reader final : public Relations {
   /// The cost of a control for moving other parts farther than the drawn curves.
   [[nodiscard]] double side_effect_cost(std::size_t variable) const;
   // Faces (reader_fields.cpp).
+  /// Whether anything but such joints can follow the lines.
+  [[nodiscard]] bool others_follow() const;
   /// What a variable does beside what was drawn.
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
     std::vector<double> ways;                ///< their lengths
+    double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
     double near_way = 0, distant_way = 0;    ///< the largest there, and far from the curves
     double mirrored_square = 0;              ///< near the mirror image of the curves alone
@@ -228,6 +234,8 @@ class Reader final : public Relations {
   void add_joint_pair(std::size_t first);
   /// Curves that tell of controls: all but those that have to stay.
   [[nodiscard]] std::size_t told_count() const { return problem_.drawn.size() + problem_.known.size(); }
+  /// How far a line lies from a curve, root mean square over its points to the nearest place of the curve, px.
+  [[nodiscard]] static double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line);
   // Turns of joints about their own axes (reader_joints.cpp).
   void find_chain();
   void make_turns();
@@ -265,6 +273,7 @@ class Reader final : public Relations {
   const WholeModel& whole_;
   const IntentProblem& problem_;
   std::vector<KnownCurve> still_;  ///< what corrections do not touch
+  bool any_span_ = false;          ///< a line need not span what its joints carry
   Costs costs_;
   const inference::Weights& weights_;
   Doubt doubt_;

@@ -33,7 +33,7 @@ std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> refe
 }
 
 bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
-  if (chain.empty()) return false;
+  if (any_span_ || chain.empty()) return !chain.empty();
   double largest = 0;
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
@@ -208,6 +208,7 @@ void Reader::measure_fields() {
     one.distant_way = std::sqrt(one.distant_way);
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
+    one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(usual / most)) : 1e3;
     one.usual_way = std::sqrt(usual);
     if (!turns(j) && most > 0.0) usual_way_ = std::max(usual_way_, one.usual_way);
   }
@@ -283,6 +284,34 @@ void Reader::leave_carriers(bool out) {
   std::erase_if(choices_.units, [&](const Unit& unit) { return carries_more(unit); });
 }
 
+bool Reader::others_follow() const {
+  const auto moves = [&](const Block& block, const Unit& unit, double least) {
+    for (std::size_t m = 0; m < unit.count; ++m) {
+      const auto column = std::span(columns_).subspan(parameter_of(unit.members[m]) * start_.size() + block.first);
+      for (std::size_t i = 0; i < block.count; ++i) {
+        if (geometry::length(column[i]) >= least) return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t c = 0; c < told_count(); ++c) {
+    const Block& block = blocks_[c];
+    double asked = 0;
+    if (block.drawn != nullptr) {
+      const geometry::Camera& camera = block.drawn->camera;
+      asked = way_across(seen(block, start_), block.drawn->target) *
+              camera.units_per_px(std::max(0.0, camera.depth(start_[block.first])));
+    } else {
+      for (std::size_t i = 0; i < block.count; ++i)
+        asked = std::max(asked, geometry::distance(start_[block.first + i], block.known->target[i]));
+    }
+    for (const Unit& unit : choices_.units) {
+      if (!carries_more(unit) && moves(block, unit, weights_.follows * asked)) return true;
+    }
+  }
+  return false;
+}
+
 double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
   const ControlFields& fields = *whole_.fields;
   std::vector<ModelVector> to_a(fields.places().size(), ModelVector{0});
@@ -319,7 +348,8 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, fringe = 1e3,
+         usual = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
@@ -329,6 +359,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     mirrored += fields_[v].mirrored_square;
     turn = std::max(turn, fields_[v].turn);
     scattered = std::max(scattered, fields_[v].scattered_way);
+    fringe = std::min(fringe, fields_[v].fringe);
     usual = std::max(usual, fields_[v].usual_way);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
   }
@@ -349,6 +380,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   if (unit.count == 1 && whole_.partner[parameters_[first]] == k_no_partner && !turns(unit.members[0]))
     terms[Term::lone] = 1.0;
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
+  terms[Term::fringe] = base::log(fringe);
   terms[Term::part] = parts - 1.0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t p = parameters_[parameter_of(unit.members[m])];

@@ -28,6 +28,7 @@ class ReadingCosts final : public ChoiceCosts {
       : choices_(choices), weights_(weights), relations_(relations), asked_(asked) {}
 
   [[nodiscard]] double costs_of(const Choice& choice) const override;
+  [[nodiscard]] double limit_costs(const Choice& choice) const override;
   /// Of the squares of its values.
   [[nodiscard]] double stiffness_of(const Choice& choice) const;
   /// Without those that move one group of curves and no other.
@@ -43,7 +44,7 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
-  /// What costs_of and stiffness_of are the weighted sum of.
+  /// What costs_of, limit_costs and stiffness_of are the weighted sum of.
   [[nodiscard]] inference::Terms terms_of(const Choice& choice) const;
 
  private:
@@ -57,6 +58,8 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double cost_of_nothing(std::size_t group) const;
   /// Decades by which a group asks for more than a hand strays.
   [[nodiscard]] double decades_asked(std::size_t group) const;
+  /// Units near an end of their range, 0 to 1 each.
+  [[nodiscard]] double limits_of(const Choice& choice) const;
   /// The units of a choice that move anything to speak of.
   [[nodiscard]] std::vector<std::size_t> moving(const Choice& choice) const;
   [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;

@@ -35,10 +35,11 @@ std::vector<std::pair<double, std::string>> moved_by(const rig::Pose& pose, cons
 
 }  // namespace
 
-std::string explained_table(std::span<const intent::ExplainedReading> readings, const rig::Rig& rig) {
+std::string explained_table(std::span<const intent::ExplainedReading> readings, const rig::Rig& rig,
+                            const inference::Weights& table) {
   readings = readings.first(std::min(k_shown, readings.size()));
   if (readings.empty()) return "    no line on a face: nothing to explain\n";
-  const inference::Terms& weights = inference::learned_weights().by;
+  const inference::Terms& weights = table.by;
   constexpr std::size_t k_name = 16, k_column = 10;
   std::string text = "    " + padded("", k_name);
   for (std::size_t i = 0; i < readings.size(); ++i) text += padded("reading " + std::to_string(i + 1), k_column);
@@ -66,8 +67,9 @@ std::string explained_table(std::span<const intent::ExplainedReading> readings, 
   return text;
 }
 
-json::Json explained_json(std::span<const intent::ExplainedReading> readings, const rig::Rig& rig) {
-  const inference::Terms& weights = inference::learned_weights().by;
+json::Json explained_json(std::span<const intent::ExplainedReading> readings, const rig::Rig& rig,
+                          const inference::Weights& table) {
+  const inference::Terms& weights = table.by;
   json::Json out = json::Json::array();
   for (const intent::ExplainedReading& one : readings) {
     json::Json parameters = json::Json::object();

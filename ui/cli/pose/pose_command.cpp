@@ -31,7 +31,7 @@ using json::Json;
 constexpr std::size_t k_others = 4;
 
 /// Which energy is minimised.
-enum class Preset : std::uint8_t { meant, exact, paper };
+enum class Preset : std::uint8_t { meant, map, exact, paper };
 
 struct PoseArguments {
   io::WriteOptions glb;
@@ -52,6 +52,7 @@ struct SolvedCase {
   posing::Solution solution;
   double solve_us = 0;
   std::optional<intent::Solution> meant;           ///< what the default preset says beyond it
+  const inference::Weights* weights = nullptr;     ///< of them
   std::vector<intent::ExplainedReading> readings;  ///< where they are asked for
 };
 
@@ -87,11 +88,12 @@ auto timed(const io::PoseCase& pose_case, double& median_us, const Solve& solve)
 
 base::Result<SolvedCase> solve_case(const document::Model& model, const io::PoseCase& pose_case,
                                     const PoseArguments& arguments, Solvers& solvers) {
-  SolvedCase solved{pose_case.name, {}, 0, std::nullopt, {}};
-  if (arguments.preset == Preset::meant) {
+  SolvedCase solved{pose_case.name, {}, 0, std::nullopt, &inference::hand_set_weights(), {}};
+  if (arguments.preset == Preset::meant || arguments.preset == Preset::map) {
     const auto problem = tracking::intent_of_case(model, pose_case, arguments.free, arguments.form, solvers.hand);
     if (!problem) return problem.error();
     intent::SolveOptions options;
+    if (arguments.preset == Preset::map) options.weights = &inference::learned_weights();
     const auto solve = [&] { return intent::solve(*model.rig, solvers.whole, *problem, options, solvers.meant); };
     auto solution = timed(pose_case, solved.solve_us, solve);
     if (!solution) return solution.error();
@@ -104,6 +106,7 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const io::Pose
       auto readings = intent::explain(*model.rig, solvers.whole, *problem, options, solvers.meant);
       if (!readings) return readings.error();
       solved.readings = std::move(readings).value();
+      solved.weights = options.weights;
     }
     solved.solution.pose = solution->pose;
     solved.solution.energy_start = solution->energy_start;
@@ -156,7 +159,8 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
               {"put_back", s.put_back},
               {"solve_us", solved.solve_us},
               {"state", hasher(document).whole.hex()}};
-  if (!solved.readings.empty()) out["readings"] = explained_json(solved.readings, *document.model->rig);
+  if (!solved.readings.empty())
+    out["readings"] = explained_json(solved.readings, *document.model->rig, *solved.weights);
   return out;
 }
 
@@ -171,7 +175,7 @@ void print_row(const SolvedCase& solved, const document::Model& model, bool expl
     if (s.pose[i] != parameters[i].rest)
       std::cout << "    " << base::shown_name(parameters[i].name) << " = " << base::format_fixed(s.pose[i], 4) << '\n';
   }
-  if (explain) std::cout << explained_table(solved.readings, *model.rig);
+  if (explain) std::cout << explained_table(solved.readings, *model.rig, *solved.weights);
 }
 
 int pose(const PoseArguments& arguments) {
@@ -204,7 +208,7 @@ int pose(const PoseArguments& arguments) {
   }
 
   Solvers solvers;
-  if (arguments.preset == Preset::meant) {
+  if (arguments.preset == Preset::meant || arguments.preset == Preset::map) {
     solvers.whole = intent::measure_whole_model(*model.rig);
     solvers.hand = tracking::hand_doubt(model, *file);
   }
@@ -262,12 +266,16 @@ void add_options(const Command& command, PoseArguments& arguments) {
       .add_option(
           "--preset",
           [&arguments](const std::string& preset) {
-            arguments.preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
+            arguments.preset = preset == "paper"   ? Preset::paper
+                               : preset == "exact" ? Preset::exact
+                               : preset == "map"   ? Preset::map
+                                                   : Preset::meant;
           },
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
-          "the controls that move cost. exact: the sum of distances, to its least. paper: the same, by the "
+          "the controls that move cost. map: the same by weights that were learned, which are to take its place. "
+          "exact: the sum of distances, to its least. paper: the same, by the "
           "single simplex of 2006")
-      .one_of({"default", "exact", "paper"});
+      .one_of({"default", "map", "exact", "paper"});
   command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
   command.add_flag("--explain", arguments.explain,
                    "Print how the lines can be read and why the first reading wins (preset default, lines on faces)");

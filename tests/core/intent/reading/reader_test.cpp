@@ -21,7 +21,7 @@ struct Desk {
     problem = face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 3, 1))});
     problem.known.push_back({Face::left_brow(), face.at(Face::left_brow(), face.pose({{"browLeft", 0.3}})), 0.01});
   }
-  [[nodiscard]] Reader reader() const { return Reader(*face.rig, whole, problem); }
+  [[nodiscard]] Reader reader = Reader::of() const { return Reader::of(*face.rig, whole, problem); }
 };
 
 /// Of units by hand: a variable each.
@@ -201,7 +201,7 @@ TEST(Reader, OnlyTheJointsOfTheChainAreUnits) {
   const WholeModel whole = measure_whole_model(*face.rig);
   const auto row = Face::row(20, 20, 36);
   const IntentProblem problem = face.problem({face.drawn(row, face.seen(row, rig::rest_pose(*face.rig)))});
-  Reader reader(*face.rig, whole, problem);
+  Reader reader = Reader::of(*face.rig, whole, problem);
   EXPECT_FALSE(reader.linear());
   const std::size_t all = reader.choices().units.size();
   EXPECT_GT(all, 1U) << "a shape and what joints can do";
@@ -220,7 +220,7 @@ TEST(Reader, ABrowDoesNotSpeakForTheHeadThatCarriesIt) {
   Line line = face.seen(row, rig::rest_pose(*face.rig));
   for (PxPoint& p : line) p.y -= 20;
   const IntentProblem problem = face.problem({face.drawn(row, line)});
-  Reader reader(*face.rig, whole, problem);
+  Reader reader = Reader::of(*face.rig, whole, problem);
   EXPECT_FALSE(reader.limb());
   const std::size_t all = reader.choices().units.size();
   reader.leave_carriers(true);
@@ -230,7 +230,7 @@ TEST(Reader, ABrowDoesNotSpeakForTheHeadThatCarriesIt) {
   // Where no shape can follow, the joints are all that is left, and the line means them.
   IntentProblem locked = problem;
   std::erase(locked.free, face.number("shape"));
-  EXPECT_TRUE(Reader(*face.rig, whole, locked).limb());
+  EXPECT_TRUE(Reader::of(*face.rig, whole, locked).limb());
 }
 
 TEST(Reader, WhatIsLeftIsTheDistanceToWhereThePointsGo) {

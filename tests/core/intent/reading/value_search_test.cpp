@@ -22,7 +22,7 @@ struct Desk {
     const rig::Pose answer = face.pose({{"cornerLeft", 0.6}, {"jawOpen", 0.4}});
     return face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 2, 1))});
   }
-  Desk() : problem(made(face)), reader(*face.rig, whole, problem) {
+  Desk() : problem(made(face)), reader(Reader::of(*face.rig, whole, problem)) {
     const std::size_t jaw = variable("jawOpen");
     reader.look({}, true, quadratic);
     choice = fitted({variable("cornerLeft"), jaw});
