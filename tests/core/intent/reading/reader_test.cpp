@@ -21,7 +21,7 @@ struct Desk {
     problem = face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 3, 1))});
     problem.known.push_back({Face::left_brow(), face.at(Face::left_brow(), face.pose({{"browLeft", 0.3}})), 0.01});
   }
-  [[nodiscard]] Reader reader = Reader::of() const { return Reader::of(*face.rig, whole, problem); }
+  [[nodiscard]] Reader reader() const { return Reader::of(*face.rig, whole, problem); }
 };
 
 /// Of units by hand: a variable each.
