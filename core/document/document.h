@@ -57,7 +57,7 @@ struct Moment {
 struct TakenReading {
   std::vector<std::string> taken, instead_of;
   /// How much likelier it is to be from then on: the log of the odds between both.
-  double by = 0;
+  double by = 12;
   friend bool operator==(const TakenReading&, const TakenReading&) = default;
 };
 /// So many are remembered, the latest ones.

@@ -76,10 +76,12 @@ Problem read_taken(const json::Json& project, const std::string& pointer, Docume
     const std::string at = json::child(here, i);
     if (auto problem = read_names((*value)[i], "taken", at, one.taken)) return problem;
     if (auto problem = read_names((*value)[i], "instead_of", at, one.instead_of)) return problem;
+    // Until edition 7 nobody measured by how much.
     const json::Json* by = json::find((*value)[i], "by");
-    if (by == nullptr || !by->is_number() || !(std::abs(by->get<double>()) <= document::k_most_taught))
+    if (by == nullptr) continue;
+    if (!by->is_number() || !(std::abs(by->get<double>()) <= document::k_most_taught))
       return project_error(
-          "a number from 0 to " + std::to_string(static_cast<int>(document::k_most_taught)) + " was expected",
+          "a number up to " + std::to_string(static_cast<int>(document::k_most_taught)) + " was expected",
           json::child(at, "by"));
     one.by = by->get<double>();
   }
