@@ -27,6 +27,14 @@ constexpr double k_exchanged = 12.0;
 /// So many choices of a selection are looked through for other readings.
 constexpr std::size_t k_looked_through = 64;
 
+/// Whether two poses move the same controls, however far.
+bool move_the_same(const rig::Pose& start, const rig::Pose& a, const rig::Pose& b) {
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if ((a[i] != start[i]) != (b[i] != start[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Choice FaceSolver::near(const Choice& before, Choice after) const {
@@ -193,6 +201,7 @@ std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t c
   const inference::Weights& weights = reader_.weights();
   const bool nothing = taken.choice.units.empty();
   reader_.settle(true);
+  const rig::Pose start = reader_.pose_of({});
   std::vector<OtherReading> looks{{reader_.pose_of(taken.choice), 0.0, 1.0}};
   double sum = 1.0;
   for (Reading& one : all()) {
@@ -203,7 +212,7 @@ std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t c
     const bool moves = !one.choice.units.empty();
     OtherReading other{reader_.pose_of(moves ? matched(std::move(one.choice)).choice : one.choice), above, share};
     const auto same = std::find_if(looks.begin(), looks.end(), [&](const OtherReading& known) {
-      return reader_.unlikeness(known.pose, other.pose) < weights.alike;
+      return move_the_same(start, known.pose, other.pose) || reader_.unlikeness(known.pose, other.pose) < weights.alike;
     });
     sum += share;
     if (same == looks.end()) {
@@ -215,7 +224,6 @@ std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t c
   align_as(taken);
   for (OtherReading& one : looks) one.probability /= sum;
   probability = looks.front().probability;
-  const rig::Pose start = reader_.pose_of({});
   looks.erase(looks.begin());
   std::erase_if(looks, [&](const OtherReading& one) {
     return one.pose == start || (!nothing && one.probability < weights.offered);

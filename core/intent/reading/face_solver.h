@@ -17,10 +17,10 @@ class FaceSolver {
 
   /// Over the ways in which single lines may be aligned; the reader keeps the best one's.
   Reading read();
-  /// Other readings that were found on the way, at most `count`, the likeliest first: those that look different from
-  /// `taken`, as it was before settle, and from each other, and move something. Their values follow the lines alone, by
-  /// least squares. `probability`: receives that of `taken`. Where `taken` moves nothing, the best that move something
-  /// are given however unlikely they are. Call it last.
+  /// Other readings that were found on the way, at most `count`, the likeliest first: those that move other
+  /// controls and look different from `taken`, as it was before settle, and from each other, and move something. Their
+  /// values follow the lines alone, by least squares. `probability`: receives that of `taken`. Where `taken` moves
+  /// nothing, the best that move something are given however unlikely they are. Call it last.
   [[nodiscard]] std::vector<OtherReading> others(const Reading& taken, std::size_t count, double& probability);
   /// Lets the values of a reading follow the lines alone: least squares, and downhill simplex on the energy itself.
   void settle(Reading& reading);
