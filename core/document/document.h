@@ -47,7 +47,7 @@ struct Moment {
     double above = 0;        ///< intent::OtherReading::above
     double probability = 0;  ///< intent::OtherReading::probability
   };
-  /// Other readings of the lines, the likeliest first; after one was taken that one's place has the one before it.
+  /// Other readings of the lines, the likeliest first. A reading that is taken swaps places with the one it replaces.
   std::vector<Other> others = {};
   double probability = 1;  ///< of the reading that was taken
 };
@@ -56,13 +56,13 @@ struct Moment {
 /// in their place, by name in the order of the rig. One of both may be empty.
 struct TakenReading {
   std::vector<std::string> taken, instead_of;
-  /// How much likelier it is to be from then on: the log of the odds between both.
+  /// The log of the odds that the choice adds in favour of the reading it took.
   double by = 12;
   friend bool operator==(const TakenReading&, const TakenReading&) = default;
 };
 /// So many are remembered, the latest ones.
 inline constexpr std::size_t k_most_taken = 64;
-/// The most of TakenReading::by.
+/// TakenReading::by is at most this.
 inline constexpr double k_most_taught = 1000.0;
 
 /// A named view.

@@ -7,8 +7,8 @@
 
 namespace penpose::inference {
 
-/// What the energy of a reading is the sum of: each term times its learned weight. All are dimensionless and at least
-/// 0, and mean the same on any rig.
+/// The terms of a reading's energy. The energy is the sum of all terms, each times its weight. Terms have no dimension,
+/// so they mean the same on any rig. All but `taught` are at least 0.
 enum class Term : std::uint8_t {
   evidence,   ///< what the pose leaves of the lines, as -log of its likelihood (Student's t)
   unit,       ///< units that move
@@ -66,7 +66,7 @@ class Terms {
   std::array<double, k_term_count> values_{};
 };
 
-/// Its name in tables: that of the enumerator.
+/// Returns the enumerator's name, for tables.
 [[nodiscard]] const char* name_of(Term term);
 
 }  // namespace penpose::inference

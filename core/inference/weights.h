@@ -6,63 +6,65 @@
 
 namespace penpose::inference {
 
-/// What tells one reading from another: the weight of each term, and the scales that terms are made with.
-/// There are two tables: the one in use was set by hand on seven rigs; the one that `tests/learn` writes is a shadow of
-/// it until it is nowhere worse.
+/// A table of weights: the weight of each term, and the scales that the terms are measured with. The program has two
+/// tables. Somebody set the one in use by hand, on seven rigs; `tests/learn` writes the other one, which replaces it
+/// once it is nowhere worse.
 struct Weights {
   Terms by;
-  /// Scale of the evidence's logarithm: how many squares of doubt a curve has when the hand alone is left.
+  /// The scale of the evidence's logarithm: the squares of doubt that the hand alone leaves of a curve.
   double reach = 7.0;
-  /// Squares of doubt from which on a line asks for something.
+  /// A line asks for something if it is off by more squares of doubt than this.
   double asks_from = 18.0;
-  /// Joints carry this many times what is near the lines (squared) as a rule.
+  /// `carried` grows where a joint moves more than this many times what is near the lines (squared).
   double carried_from = 8.0;
-  /// A range has more to give up to this share of it.
+  /// `limit` grows from this share of a range to its end.
   double limit_from = 0.8;
-  /// Weight of the squares of shares once it is known which controls move: values follow the lines.
+  /// Replaces the weight of `share` once the controls are chosen, so that their values follow the lines.
   double settled_share = 0.2;
-  /// Share of the size of what shapes move from which on lips are driven through each other.
+  /// `crosses` grows where a control pushes surfaces deeper into each other than this share of the size of what shapes
+  /// move.
   double crosses_from = 0.03;
-  /// Units whose fields are alike by this cosine do the same: one of them at most.
+  /// Two units whose fields have a larger cosine than this do the same, so only one of them may move.
   double same = 0.9;
-  /// Near a curve is what lies within this share of its extent.
+  /// Samples within this share of a curve's extent are near it.
   double near = 0.18;
-  /// Far from a curve is what lies beyond this share of its extent.
+  /// Samples beyond this share of a curve's extent are far from it.
   double far = 0.6;
-  /// Curves nearer to each other than this share of the smaller one's extent are met or missed together.
+  /// Curves that are nearer to each other than this share of the smaller one's extent form a group.
   double together = 0.15;
-  /// A line speaks for joints whose own part of the model it spans by this share.
+  /// A line poses a limb if it spans this share of what the joints carry.
   double spans = 0.6;
-  /// Joints that carry this many times what is near the drawn curves (squared) are thought of last.
+  /// The solver tries joints last that carry more than this many times what is near the curves (squared).
   double carries_more = 8.0;
-  /// Where nothing but joints that carry more than was drawn could take a line this share of its way, those are meant
-  /// whatever the line spans; 0: never.
+  /// If only such joints can move a line by this share of its way, the line poses them, whatever it spans. 0 turns
+  /// this off.
   double follows = 0.1;
-  /// A reading that leaves more than this share of the squares of every line is none.
+  /// The solver gives up a reading that leaves more than this share of the squares of every line.
   double gives_up = 0.85;
-  /// Readings of a round that are matched on their own, and how far above the best.
+  /// The solver matches this many readings of each round on their own, if they are above the best by less than
+  /// `window`.
   double rivals = 3.0;
   double window = 6.0;
-  /// Readings are offered that are as likely as this, or likelier.
+  /// The window offers readings that have at least this probability.
   double offered = 6e-6;
-  /// Readings look alike that differ by less than this share of what they move.
+  /// Two readings look alike if they differ by less than this share of what they move.
   double alike = 0.3;
-  /// A reading that was taken in place of another is the best one from then on, by this much.
+  /// A choice makes the reading that it took the best one by this much energy.
   double taught_margin = 1.0;
-  /// Strokes begin and end within this share of their length of where they were meant to, root mean square.
+  /// The ends of a stroke stray along it by this share of its length, root mean square.
   double slide = 0.015;
 };
 
-/// A scale of the table, for those who list or change it.
+/// The name of a scale and its place in the table.
 struct Scale {
   const char* name;
   double Weights::*value;
 };
 [[nodiscard]] std::span<const Scale> scales();
 
-/// The table in use.
+/// Returns the table in use.
 [[nodiscard]] const Weights& hand_set_weights();
-/// The table that was learned: `penpose pose --preset map`.
+/// Returns the learned table, which `penpose pose --preset map` uses.
 [[nodiscard]] const Weights& learned_weights();
 
 }  // namespace penpose::inference

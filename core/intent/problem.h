@@ -66,8 +66,8 @@ struct IntentProblem {
   /// The result of an earlier solve from the same start, one value a parameter; empty: none. A reading that continues
   /// it is kept unless another one is clearly better.
   rig::Pose posed = {};
-  /// What the artist's choices between readings taught of this rig: for each parameter what it costs, beyond what it
-  /// costs on any rig, that it moves; below 0 where it is meant more often. Empty: nothing.
+  /// For each parameter, what the artist's choices on this rig add to the cost of moving it; negative if the artist
+  /// means it more often than others. Empty: no choices.
   std::vector<double> taught = {};
 };
 

@@ -80,7 +80,7 @@ class SolveWorkspace {
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, SolveWorkspace& work);
 
-/// A reading, and what its energy is made of.
+/// A reading and the terms of its energy.
 struct ExplainedReading {
   rig::Pose pose;          ///< all parameters of the rig
   double energy = 0;       ///< the terms by their weights
@@ -88,9 +88,9 @@ struct ExplainedReading {
   inference::Terms terms;
 };
 
-/// All readings of lines on a face that were found on the way to the answer, the best first, and those of `also`:
-/// poses whose controls are taken as meant, and whose values are found anew. None for limbs. What was locked counts as
-/// free, what was solved before as not. Errors: those of check_problem.
+/// Returns all readings of lines on a face that the solver found, the best first. It adds a reading for the controls
+/// that each pose of `also` moves, with values of its own. Limbs have none. Locked controls count as free, and earlier
+/// solutions are ignored. Errors: those of check_problem.
 [[nodiscard]] base::Result<std::vector<ExplainedReading>> explain(const rig::Rig& rig, const WholeModel& whole,
                                                                   const IntentProblem& problem,
                                                                   const SolveOptions& options, SolveWorkspace& work,

@@ -9,20 +9,20 @@
 
 namespace penpose::rig {
 
-/// The vertices that follow each joint, and where they go when it alone turns from rest: a turn costs what hangs below
-/// the joint, not the whole model. The same bits as CharacterRig::evaluate. Holds scratch memory; the rig must outlive
-/// it. Parameters are numbered as in the skeleton.
+/// Finds the vertices that follow a joint, and where they go when only that joint turns. A turn costs only what hangs
+/// below the joint, and gives the same bits as CharacterRig::evaluate. The object holds scratch memory; the rig must
+/// outlive it. Parameters have the skeleton's numbers.
 class JointFollowers : public base::Fixed {
  public:
   /// Precondition: the rig has a skeleton.
   explicit JointFollowers(const CharacterRig& rig);
 
-  /// False when a parameter also drives a layer, which may move vertices that do not follow its joint.
+  /// Returns false if a parameter also drives a layer, which may move vertices that do not follow its joint.
   [[nodiscard]] bool are_all(std::size_t parameter) const { return !drives_[parameter]; }
-  /// The vertices in which a joint or one below it has a share, ascending. They stay until the next call.
+  /// Returns the vertices that a joint or one below it influences, ascending. They stay valid until the next call.
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t joint);
-  /// Their places with a parameter of that joint at `value` and all others at rest. Preconditions: `of` was asked for
-  /// the joint last, are_all(parameter), and there is one place a vertex.
+  /// Writes where these vertices are if a parameter of that joint is at `value` and all others are at rest.
+  /// Preconditions: the last call of `of` was for this joint, are_all(parameter), and `places` has one place a vertex.
   void turn(std::size_t parameter, double value, std::span<ModelPoint> places);
 
  private:

@@ -62,7 +62,8 @@ double hand_px(const Document& document, geometry::Viewport viewport) {
 
 namespace {
 
-/// What the artist's choices say of each control: each is shared by the controls in which both readings differ.
+/// Returns, for each parameter, what the artist's choices add to the cost of moving it. A choice lowers the cost of the
+/// controls that it took and raises the cost of those that it did not take, in equal parts.
 std::vector<double> taught_by_choices(const Document& document) {
   const auto parameters = document.model->rig->parameters();
   std::vector<double> taught(parameters.size(), 0.0);

@@ -198,7 +198,7 @@ std::optional<double> RobustSelection::guess_several(const Base& base, std::size
   const std::size_t n = base.choice->variables.size();
   const std::size_t count = unit.count;
   const std::size_t parts = q_.part_count();
-  // Each member beside the base, which gives way to it.
+  // Solve for each member alone, while the base gives way to it.
   std::vector<double> matrix(count * count, 0.0), pulls(count, 0.0);
   std::array<std::vector<double>, 3> products;
   const double* pair = between(added).data();

@@ -43,20 +43,22 @@ class RobustSelection {
   /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
   void set_up(const Choice& choice, std::span<const double> weights);
   [[nodiscard]] Base base_of(const Choice& choice);
-  /// A unit beside a base as one direction, its members by these shares: its pull, curvature and products with the
-  /// base's variables, a run of parts a variable.
+  /// Describes a unit that moves along one line, its members in fixed shares. Holds the pull, the curvature and the
+  /// products with the variables of a base, each as one number for each part.
   struct Direction {
     std::vector<double> pull, curvature, cross;
   };
   [[nodiscard]] Direction direction_of(const Base& base, std::size_t added, const std::array<double, 3>& by);
-  /// Products of a direction with the base's variables, the curves weighted.
+  /// Returns how far each variable of the base gives way for one unit of a direction.
   [[nodiscard]] std::vector<double> answer_to(const Base& base, const std::vector<double>& cross) const;
-  /// The energy a step along a direction, the base giving way by `answer` for each unit of it; without stiffness.
+  /// Returns the energy after a step along a direction, without stiffness. The base gives way by `answer` times the
+  /// step.
   [[nodiscard]] double energy_along(const Base& base, const Direction& direction, std::span<const double> answer,
                                     double step) const;
-  /// Products of a unit's members (1, 0), (2, 0), (2, 1), a run of parts each; computed once.
+  /// Returns the products of a unit's members (1, 0), (2, 0) and (2, 1), each as one number for each part. Computes
+  /// them once.
   [[nodiscard]] const std::vector<double>& between(std::size_t u);
-  /// `guess` of members that are not tied.
+  /// Does what `guess` does, for units whose members are not tied.
   [[nodiscard]] std::optional<double> guess_several(const Base& base, std::size_t unit);
   /// The energy about where one more unit and the base meet its pull, apart from what it costs beside them; nothing
   /// where that moves nothing.
@@ -67,7 +69,7 @@ class RobustSelection {
   [[nodiscard]] std::optional<Choice> best_beside(const Choice& found) const;
   void try_all(const Choice& from, Choice& best, std::size_t most);
 
-  /// The units to fit beside a choice: the k_tries best by guess and cost.
+  /// Returns the units that are worth fitting beside a choice: the k_tries best ones by guess and cost.
   [[nodiscard]] std::vector<std::size_t> units_to_try(const Choice& from);
 
   Quadratic& q_;

@@ -18,15 +18,15 @@ struct ControlEffect {
   std::span<const ModelPoint> rest, moved;  ///< one a vertex
 };
 
-/// The effects of single controls of a rig from rest. What a joint does is taken from what follows it. Holds scratch
-/// memory; the rig must outlive it.
+/// Evaluates single controls of a rig, all others at rest. A joint costs only the vertices that follow it. The object
+/// holds scratch memory; the rig must outlive it.
 class ControlEffects : public base::Fixed {
  public:
   explicit ControlEffects(const rig::Rig& rig);
 
-  /// Of all vertices.
+  /// Returns the rest positions of all vertices.
   [[nodiscard]] std::span<const ModelPoint> rest() const { return rest_; }
-  /// Of a parameter at `value`. Its spans stay until the next call.
+  /// Returns the effect of a parameter at `value`. Its spans stay valid until the next call.
   [[nodiscard]] ControlEffect of(std::size_t parameter, double value);
 
  private:

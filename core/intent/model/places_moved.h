@@ -6,7 +6,8 @@
 
 namespace penpose::intent {
 
-/// See WholeModel::places. `shapes`: one a control.
+/// Finds the separate places that each shape moves (WholeModel::places). `shapes` says for each control whether it is
+/// one.
 [[nodiscard]] std::vector<std::vector<WholeModel::PlaceMoved>> places_moved(const ControlFields& fields,
                                                                             const std::vector<bool>& shapes);
 

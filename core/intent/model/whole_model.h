@@ -39,7 +39,7 @@ struct WholeModel {
   std::shared_ptr<const Contacts> contacts;
   /// Of how many others each control is the sum.
   std::vector<Composite> composites;
-  /// One a vertex: the connected piece of the mesh that it belongs to; empty: unknown.
+  /// For each vertex: the connected piece of the mesh that it belongs to. Empty if that is unknown.
   std::vector<std::uint32_t> pieces;
   /// For each control: of each piece that it moves, ascending, how much it turns the piece: the standard
   /// deviation of its field there.
@@ -48,8 +48,8 @@ struct WholeModel {
     double turn = 0;  ///< model units; of a joint's angle for a radian
   };
   std::vector<std::vector<OfPiece>> by_piece;
-  /// For each shape: the places that it moves, apart from each other. A place is a set of samples that move by at least
-  /// a share of the most, each near another one. Empty for joints, which move one.
+  /// For each shape: the separate places that it moves. A place is a set of neighbouring samples that move by at least
+  /// a share of the largest way. Empty for joints.
   struct PlaceMoved {
     double way = 0;                      ///< the largest, model units
     std::vector<std::uint32_t> samples;  ///< numbers of ControlFields::samples

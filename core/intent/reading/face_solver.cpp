@@ -19,7 +19,7 @@ constexpr double k_some_way = 0.85;
 constexpr int k_matches = 2, k_general_matches = 4;
 /// A window that leaves nothing out.
 constexpr double k_however_far = 1e9;
-/// So many readings that look different are asked for their looks, and those that are so little above the best.
+/// `others` looks at this many readings that look different, and at none that is farther above the best than this.
 constexpr std::size_t k_looks_at_most = 12;
 constexpr double k_however_unlikely = 20.0;
 /// Exchanges within this of the best are matched.
@@ -202,12 +202,16 @@ std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t c
   const bool nothing = taken.choice.units.empty();
   reader_.settle(true);
   const rig::Pose start = reader_.pose_of({});
-  std::vector<OtherReading> looks{{reader_.pose_of(taken.choice), 0.0, 1.0}};
-  double sum = 1.0;
-  for (Reading& one : all()) {
+  std::vector<Reading> found = all();
+  const double least = found.empty() ? taken.energy : std::min(taken.energy, found.front().energy);
+  const auto likelihood = [&](double energy) { return base::exp(least - energy); };
+  std::vector<OtherReading> looks{{reader_.pose_of(taken.choice), 0.0, likelihood(taken.energy)}};
+  double sum = looks.front().probability;
+  for (Reading& one : found) {
+    if (one.aligned == taken.aligned && one.choice.units == taken.choice.units) continue;
     const double above = one.energy - taken.energy;
-    if (looks.size() > 1 + k_looks_at_most && above > k_however_unlikely) break;
-    const double share = base::exp(-above);
+    if (looks.size() > k_looks_at_most || (!nothing && above > k_however_unlikely)) break;
+    const double share = likelihood(one.energy);
     align_as(one);
     const bool moves = !one.choice.units.empty();
     OtherReading other{reader_.pose_of(moves ? matched(std::move(one.choice)).choice : one.choice), above, share};

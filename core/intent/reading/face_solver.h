@@ -17,17 +17,17 @@ class FaceSolver {
 
   /// Over the ways in which single lines may be aligned; the reader keeps the best one's.
   Reading read();
-  /// Other readings that were found on the way, at most `count`, the likeliest first: those that move other
-  /// controls and look different from `taken`, as it was before settle, and from each other, and move something. Their
-  /// values follow the lines alone, by least squares. `probability`: receives that of `taken`. Where `taken` moves
-  /// nothing, the best that move something are given however unlikely they are. Call it last.
+  /// Returns at most `count` other readings, the likeliest first. They move other controls than `taken` and than each
+  /// other, and look different. Their values follow the lines alone, by least squares. `taken` is the reading as it was
+  /// before settle; `probability` receives its probability. If `taken` moves nothing, the best readings that move
+  /// something are returned, however unlikely they are. Call it last.
   [[nodiscard]] std::vector<OtherReading> others(const Reading& taken, std::size_t count, double& probability);
   /// Lets the values of a reading follow the lines alone: least squares, and downhill simplex on the energy itself.
   void settle(Reading& reading);
 
-  /// All readings that were matched, in whatever alignment, each once, the best first. Call it before settle.
+  /// Returns each reading that the solver matched, in any alignment, once, the best first. Call it before settle.
   [[nodiscard]] std::vector<Reading> all() const;
-  /// A choice of units, matched on its own with the lines as they are aligned, and its energy.
+  /// Matches a choice of units with the lines as they are aligned, and returns it with its energy.
   Reading matched(Choice choice);
   /// Aligns the lines as a reading does.
   void align_as(const Reading& reading);

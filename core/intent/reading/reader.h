@@ -46,15 +46,15 @@ class Reader final : public Relations {
   [[nodiscard]] bool leaves_carriers() const { return !carriers_.empty(); }
   /// Of a face: once it is known which controls are meant, their values follow the lines alone.
   void settle(bool settled);
-  /// Weight of the squares of shares.
+  /// Returns the weight of the squares of shares.
   [[nodiscard]] double stiffness(bool settled) const;
   /// Of a face: the energy's scale, and what choices cost.
   [[nodiscard]] const Doubt& doubt() const { return doubt_; }
   [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, weights_, *this, asked_}; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
   [[nodiscard]] bool is_joint(std::size_t variable) const override { return turns(variable); }
-  /// How differently two poses move the whole model from the start: root mean square of the difference over that of the
-  /// one that moves it more.
+  /// Returns how differently two poses move the model from the start: the root mean square of their difference over
+  /// that of the pose that moves it more.
   [[nodiscard]] double unlikeness(const rig::Pose& a, const rig::Pose& b) const;
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
@@ -105,7 +105,7 @@ class Reader final : public Relations {
   double energy(const Choice& choice, double costs);
   /// The same, matched there.
   double matched_energy(const Choice& choice, double costs);
-  /// Of a face: what the energy of a choice is the weighted sum of, matched there.
+  /// Returns the terms of the energy of a choice on a face, with the lines matched there.
   inference::Terms terms_of(const Choice& choice);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
@@ -182,7 +182,7 @@ class Reader final : public Relations {
   /// The cost of a control for moving other parts farther than the drawn curves.
   [[nodiscard]] double side_effect_cost(std::size_t variable) const;
   // Faces (reader_fields.cpp).
-  /// Whether anything but such joints can follow the lines.
+  /// Returns whether anything but such joints can follow the lines.
   [[nodiscard]] bool others_follow() const;
   /// What a variable does beside what was drawn.
   struct Field {
@@ -206,10 +206,11 @@ class Reader final : public Relations {
   /// for the head.
   [[nodiscard]] bool spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const;
   void group_curves();
-  /// The samples within a share of its extent of a drawn or known curve, or of its mirror image, ascending.
+  /// Returns the samples that are nearer to a drawn or known curve, or to its mirror image, than a share of its extent,
+  /// ascending.
   [[nodiscard]] std::vector<std::uint32_t> samples_within(double share, bool mirrored = false) const;
   void measure_fields();
-  /// The pieces of the mesh that lines are drawn on, ascending.
+  /// Returns the pieces of the mesh that carry lines, ascending.
   [[nodiscard]] std::vector<std::uint32_t> drawn_pieces() const;
   void measure_asked();
   /// Whether each parameter moves a curve of each group by at least k_tells of what anything moves it.
@@ -226,7 +227,7 @@ class Reader final : public Relations {
   [[nodiscard]] double likeness_to_image(std::span<const ModelVector> ways) const;
   /// Of a unit that does on one side what lines ask for on both.
   [[nodiscard]] double asymmetry_of(const Unit& unit) const;
-  /// Fills in what a unit on a face costs.
+  /// Sets the terms and the charge of a unit on a face.
   void charge_face(Unit& unit, bool by_axes = false) const;
   /// The first parameter that moves with a variable, as a number of parameters().
   [[nodiscard]] std::size_t parameter_of(std::size_t variable) const;

@@ -19,7 +19,7 @@ class Relations {
   [[nodiscard]] virtual bool moves_group(std::size_t variable, std::size_t group) const = 0;
 };
 
-/// What readings of lines on faces cost (inference::Weights).
+/// Computes the costs of readings of lines on faces (inference::Weights).
 class ReadingCosts final : public ChoiceCosts {
  public:
   /// `asked`: for each group of curves the largest D before anything moves.
@@ -44,7 +44,7 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
-  /// What costs_of, limit_costs and stiffness_of are the weighted sum of.
+  /// Returns the terms whose weighted sum is costs_of, limit_costs and stiffness_of together.
   [[nodiscard]] inference::Terms terms_of(const Choice& choice) const;
 
  private:
@@ -56,11 +56,11 @@ class ReadingCosts final : public ChoiceCosts {
   /// nothing.
   [[nodiscard]] double cost_of_nothing(std::span<const std::size_t> units) const;
   [[nodiscard]] double cost_of_nothing(std::size_t group) const;
-  /// Decades by which a group asks for more than a hand strays.
+  /// Returns by how many decades a group asks for more than a hand strays.
   [[nodiscard]] double decades_asked(std::size_t group) const;
-  /// Units near an end of their range, 0 to 1 each.
+  /// Returns the sum over units of how near each is to an end of its range, 0 to 1.
   [[nodiscard]] double limits_of(const Choice& choice) const;
-  /// The units of a choice that move anything to speak of.
+  /// Returns the units of a choice that move anything noticeable.
   [[nodiscard]] std::vector<std::size_t> moving(const Choice& choice) const;
   [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;
 
