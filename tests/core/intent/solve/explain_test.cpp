@@ -12,7 +12,7 @@ namespace {
 
 using inference::Weights;
 
-/// A mouth that two shapes of both sides lift, and a line for it.
+/// A mouth that one shape lifts from above and another one from below, and a line that hardly tells them apart.
 struct Mouth {
   tests::Face face;
   IntentProblem problem;
@@ -20,12 +20,12 @@ struct Mouth {
   SolveWorkspace work;
 
   Mouth() {
-    face.bump("lift", 0, -0.4, {0, 0.12, 0}, 0.6);
-    face.bump("push", 0, -0.35, {0, 0.1, 0.02}, 0.65);
+    face.bump("lift", 0, -0.2, {0, 0.16, 0}, 0.6);
+    face.bump("push", 0, -0.62, {0, 0.16, 0}, 0.6);
     face.bump("nose", 0, 0.1, {0, 0.2, 0.1}, 0.4);
     face.ready();
-    problem =
-        face.problem({face.drawn(tests::Face::mouth(), face.seen(tests::Face::mouth(), face.pose({{"lift", 0.8}})))});
+    const auto line = face.seen(tests::Face::mouth(), face.pose({{"lift", 0.6}}));
+    problem = face.problem({face.drawn(tests::Face::mouth(), tests::shaken(line, 0.7, 3))});
     whole = measure_whole_model(*face.rig);
   }
   [[nodiscard]] std::vector<ExplainedReading> explained(const Weights& weights, std::span<const rig::Pose> also = {}) {
