@@ -184,7 +184,8 @@ TEST_F(PoseCommand, ExplainsHowALineCanBeRead) {
     as_json.emplace_back("--json");
     ASSERT_EQ(pose(as_json), k_success) << error_;
     double sum = 0;
-    for (const Json& reading : Json::parse(out_).at("cases")[0].at("readings")) {
+    const Json answer = Json::parse(out_);
+    for (const Json& reading : answer.at("cases")[0].at("readings")) {
       sum += reading.at("probability").get<double>();
       double energy = 0;
       for (const auto& [name, pair] : reading.at("terms").items())
