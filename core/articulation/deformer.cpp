@@ -9,6 +9,7 @@
 #include "core/articulation/motion/slide.h"
 #include "core/articulation/region/region.h"
 #include "core/articulation/surface/ball_under.h"
+#include "core/curve/nearest_place.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 
@@ -88,26 +89,6 @@ bool all_finite(const Curve& curve) {
   return std::all_of(curve.begin(), curve.end(), [](const ModelPoint& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
   });
-}
-
-struct Place {
-  std::uint32_t segment = 0;
-  double fraction = 0;
-};
-
-/// The closest point of the reference on the image plane; of equally close ones the first.
-Place closest_place(PxPoint p, std::span<const PxPoint> line) {
-  Place best;
-  double nearest = 0;
-  for (std::uint32_t k = 0; k + 1 < line.size(); ++k) {
-    const double u = geometry::nearest_share(p, line[k], line[k + 1]);
-    const PxPoint off = p - line[k] - (line[k + 1] - line[k]) * u;
-    const double squared = geometry::dot(off, off);
-    if (k > 0 && squared >= nearest) continue;
-    nearest = squared;
-    best = {k, u};
-  }
-  return best;
 }
 
 /// The curves of a deformer, with equally many points.
@@ -380,10 +361,11 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::by_paper(const Sketch& s
   for (std::size_t i = 0; i < region->vertices.size(); ++i) {
     if (!(weights->weights[i] > 0.0)) continue;
     const std::uint32_t v = region->vertices[i];
-    const Place place = closest_place(region->seen[i], seen);
+    const curve::PolylinePlace place = curve::nearest_place(seen, region->seen[i]);
     auto to_rest = canvas.to_rest(v);
     if (!to_rest) return at("general", to_rest.error());
-    bindings.push_back({place.segment, place.fraction, weights->weights[i], canvas.positions()[v], *to_rest});
+    bindings.push_back({static_cast<std::uint32_t>(place.segment), place.fraction, weights->weights[i],
+                        canvas.positions()[v], *to_rest});
     built.vertices.push_back(v);
     built.weights.push_back(weights->weights[i]);
   }
