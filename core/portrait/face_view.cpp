@@ -314,8 +314,6 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
   view.parting_ = parting_of(lines, parts);
   view.companions_ = companions_of(lines, parts);
   for (Proportion& one : proportions_of(lines, parts)) {
-    view.mild_count_ += one.mild ? 1 : 0;
-    view.free_proportions_.push_back(one.free_hand);
     view.all_proportions_.push_back(std::move(one.ways));
   }
   for (const auto& length : lengths) view.lengths_.push_back(length.back());

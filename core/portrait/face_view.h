@@ -79,11 +79,7 @@ class FaceView {
   [[nodiscard]] std::span<const Control> controls() const { return controls_; }
   [[nodiscard]] std::span<const Unit> units() const { return units_; }
   [[nodiscard]] std::size_t curve_count() const { return curve_count_; }
-  /// By how much each proportion usually differs where somebody draws freely.
-  [[nodiscard]] std::span<const double> free_proportions() const { return free_proportions_; }
-  [[nodiscard]] std::size_t proportion_count() const { return free_proportions_.size(); }
-  /// How many of them are mild ones: the first.
-  [[nodiscard]] std::size_t mild_count() const { return mild_count_; }
+  [[nodiscard]] std::size_t proportion_count() const { return all_proportions_.size(); }
   [[nodiscard]] Part part(std::size_t curve) const { return parts_[curve]; }
   /// A curve that is drawn wherever this one is: the brow and the upper lid of the other side, the upper lid above the
   /// lower one, the other border of the lips.
@@ -134,8 +130,7 @@ class FaceView {
   std::optional<std::array<std::size_t, 2>> parting_;
   std::vector<Part> parts_;
   std::vector<std::optional<std::size_t>> companions_, meant_;
-  std::vector<double> free_proportions_;
-  std::size_t curve_count_ = 0, mild_count_ = 0;
+  std::size_t curve_count_ = 0;
   PxPoint middle_{0, 0};  ///< of the face in the camera's picture
   double scale_ = 1;
 };

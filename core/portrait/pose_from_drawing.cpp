@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/portrait/sketch/model_face.h"
+#include "core/portrait/sketch/pose_from_sketch.h"
+
 namespace penpose::portrait {
 
 rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& start, std::span<const double> shares) {
@@ -15,19 +18,43 @@ rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& st
   return pose;
 }
 
+namespace {
+
+/// Whether a pose shows something else than what a person sees in the drawing.
+bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const SketchedPose& sketched,
+                const rig::Pose& pose, const rig::Pose& start, const geometry::Camera& camera) {
+  const auto rest = ModelFace::see(rig, curves, start, camera);
+  const auto posed = ModelFace::see(rig, curves, pose, camera);
+  if (!rest || !posed) return false;
+  const FaceMeasures drawn = measure(sketched.layout);
+  return contradicts(drawn, posed->measures(), rest->measures());
+}
+
+}  // namespace
+
 base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::WholeModel& whole,
                                           std::span<const FeatureCurve> curves, const Drawing& drawing,
                                           const geometry::Camera& camera, const rig::Pose& start,
                                           std::span<const std::size_t> free) {
   const auto face = FaceView::make(rig, whole, curves, start, free, camera);
   if (!face) return face.error();
-  auto read = read_drawing(*face, drawing);
-  if (!read) return read.error();
-  DrawnPose out{{}, std::move(*read), {}};
-  out.pose = pose_of(rig, *face, start, out.read.shares);
-  const Placement& on_face = out.read.placement;
-  out.sheet = {on_face.along / face->scale(), on_face.across / face->scale(),
-               face->middle() + on_face.shift * (1.0 / face->scale())};
+  DrawnPose out;
+  if (drawing.lines.size() <= k_most_lines) {
+    auto read = read_drawing(*face, drawing);
+    if (!read) return read.error();
+    out.read = std::move(*read);
+    out.pose = pose_of(rig, *face, start, out.read.shares);
+    const Placement& on_face = out.read.placement;
+    out.sheet = {on_face.along / face->scale(), on_face.across / face->scale(),
+                 face->middle() + on_face.shift * (1.0 / face->scale())};
+    if (drawing.in_view || !drawing.neutral.empty()) return out;
+  }
+  auto sketched = pose_from_sketch(rig, whole, curves, drawing, camera, start, free);
+  if (!sketched) return sketched.error();
+  const bool of_model = drawing.lines.size() <= k_most_lines && out.read.of_this_face;
+  if (!*sketched || (of_model && !shows_else(rig, curves, **sketched, out.pose, start, camera))) return out;
+  out.pose = std::move((*sketched)->pose);
+  out.read.lines = std::move((*sketched)->lines);
   return out;
 }
 

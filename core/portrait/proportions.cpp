@@ -11,12 +11,6 @@ namespace {
 
 using geometry::PxPoint;
 using Line = std::vector<PxPoint>;
-
-/// By how much proportions usually differ where somebody draws freely.
-constexpr double k_apart = 0.25, k_mouth = 0.3, k_brow_height = 0.2, k_nose = 0.25, k_face = 0.25;
-constexpr double k_eye_width = 0.35, k_eye_height = 0.8, k_brow_length = 0.3, k_nose_width = 0.4, k_lips = 0.4;
-constexpr double k_jaw = 0.25, k_chin = 0.2, k_crown = 0.3;
-
 PxPoint mean_of(std::span<const PxPoint> points) {
   PxPoint sum{0, 0};
   for (const PxPoint& p : points) sum = sum + p;
@@ -81,7 +75,7 @@ std::vector<Proportion> proportions_of(std::span<const Line> curves, std::span<c
   const Middle noses = middle_of(curves, is(Part::nose));
   const double nose = noses.count > 0 ? noses.at.y : eyes.at.y + 0.6 * (mouth.y - eyes.at.y);
 
-  const auto add = [&](bool mild, double free_hand, const std::function<PxPoint(std::size_t, const PxPoint&)>& way) {
+  const auto add = [&](const std::function<PxPoint(std::size_t, const PxPoint&)>& way) {
     std::vector<Line> field;
     bool moves = false;
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -92,60 +86,29 @@ std::vector<Proportion> proportions_of(std::span<const Line> curves, std::span<c
       }
       field.push_back(std::move(line));
     }
-    if (moves) all.push_back({mild, free_hand, std::move(field)});
+    if (moves) all.push_back({std::move(field)});
   };
   const auto sees = [&](std::size_t c) { return parts[c] == Part::eye || parts[c] == Part::brow; };
   const auto below = [&](const PxPoint& p) { return std::max(0.0, p.y - eyes.at.y); };
-  add(true, k_apart, [&](std::size_t c, const PxPoint&) {
+  add([&](std::size_t c, const PxPoint&) {
     const Middle& side = eye[left(c)];
     return sees(c) && side.count > 0 ? PxPoint{side.at.x - eyes.at.x, 0} : PxPoint{0, 0};
   });
-  add(true, k_mouth, [&](std::size_t c, const PxPoint& p) {
+  add([&](std::size_t c, const PxPoint& p) {
     return parts[c] == Part::mouth ? PxPoint{p.x - mouth.x, 0} : PxPoint{0, 0};
   });
   if (lids) {
-    add(true, k_brow_height, [&](std::size_t c, const PxPoint&) {
+    add([&](std::size_t c, const PxPoint&) {
       return parts[c] == Part::brow ? PxPoint{0, brow[left(c)].at.y - eyes.at.y} : PxPoint{0, 0};
     });
   }
-  add(true, k_nose, [&](std::size_t c, const PxPoint& p) {
+  add([&](std::size_t c, const PxPoint& p) {
     if (parts[c] == Part::mouth) return PxPoint{0, (nose - eyes.at.y) / 2.0};
     return parts[c] == Part::nose ? PxPoint{0, below(p)} : PxPoint{0, 0};
   });
-  add(true, k_face, [&](std::size_t c, const PxPoint& p) {
+  add([&](std::size_t c, const PxPoint& p) {
     if (sees(c)) return PxPoint{0, 0};
     return parts[c] == Part::mouth ? PxPoint{0, mouth.y - eyes.at.y} : PxPoint{0, below(p)};
-  });
-  const auto about = [&](Part part, const std::array<Middle, 2>& middles, bool across) {
-    return [&, part, across](std::size_t c, const PxPoint& p) {
-      if (parts[c] != part) return PxPoint{0, 0};
-      const PxPoint off = p - middles[left(c)].at;
-      return across ? PxPoint{off.x, 0} : PxPoint{0, off.y};
-    };
-  };
-  if (lids) {
-    add(false, k_eye_width, about(Part::eye, eye, true));
-    add(false, k_eye_height, about(Part::eye, eye, false));
-    // Brows keep their distance from the lids.
-    add(false, k_brow_length, about(Part::brow, brow, true));
-  }
-  add(false, k_nose_width, [&](std::size_t c, const PxPoint& p) {
-    return parts[c] == Part::nose ? PxPoint{p.x - noses.at.x, 0} : PxPoint{0, 0};
-  });
-  // Lips are thick or thin about the line between them.
-  const auto parting = parting_of(curves, parts);
-  add(false, k_lips, [&](std::size_t c, const PxPoint& p) {
-    const bool border = parting && parts[c] == Part::mouth && c != (*parting)[0] && c != (*parting)[1];
-    return border ? PxPoint{0, p.y - (curves[c].front().y + curves[c].back().y) / 2.0} : PxPoint{0, 0};
-  });
-  add(false, k_jaw, [&](std::size_t c, const PxPoint& p) {
-    return parts[c] == Part::jaw || parts[c] == Part::crown ? PxPoint{p.x - eyes.at.x, 0} : PxPoint{0, 0};
-  });
-  add(false, k_chin, [&](std::size_t c, const PxPoint& p) {
-    return parts[c] == Part::jaw ? PxPoint{0, std::max(0.0, p.y - eyes.at.y)} : PxPoint{0, 0};
-  });
-  add(false, k_crown, [&](std::size_t c, const PxPoint& p) {
-    return parts[c] == Part::crown ? PxPoint{0, p.y - eyes.at.y} : PxPoint{0, 0};
   });
   return all;
 }

@@ -17,16 +17,13 @@ enum class Part : unsigned char { brow, eye, nose, mouth, jaw, crown, other };
 
 /// A way in which a drawing may be in other proportions than the model.
 struct Proportion {
-  bool mild = true;      ///< differs in drawings of this very face, too; else only where somebody draws freely
-  double free_hand = 0;  ///< by how much it usually differs where somebody draws freely
   /// The ways of all points of all curves for it doubled, px.
   std::vector<std::vector<geometry::PxPoint>> ways;
 };
 
-/// Mild ones first: how far apart the eyes are, how wide the mouth is, how high the brows are above the eyes, how long
-/// the nose is, how long the face is below the eyes; then how wide and how high the eyes are drawn, how long brows,
-/// how wide nose and jaw, how thick lips, how far down the chin. `curves`: points in the picture, px, y down. Parts
-/// that are missing have no proportion of their own.
+/// How far apart the eyes are, how wide the mouth is, how high the brows are above the eyes, how long the nose is, how
+/// long the face is below the eyes. `curves`: points in the picture, px, y down. Parts that are missing have no
+/// proportion of their own.
 [[nodiscard]] std::vector<Proportion> proportions_of(std::span<const std::vector<geometry::PxPoint>> curves,
                                                      std::span<const Part> parts);
 

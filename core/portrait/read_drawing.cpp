@@ -135,23 +135,14 @@ std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches&
 }
 
 /// How a hand draws over a face that it sees.
-constexpr Hand k_drawn_over{0.03, 1.0, false, true};
+constexpr Hand k_drawn_over{0.03, 1.0, true};
 
 /// How the same hand draws once its face at rest is known: its proportions are those of that sheet, and the lines of
 /// both stray.
 constexpr Hand k_known_hand{0.005, 1.3};
 
-/// How somebody draws a face of their own, while it is asked what each line is, and once that is known; and what a line
-/// of it costs beyond one of this face.
-constexpr Hand k_free_hand{k_usual_proportion, 2.5, true};
-constexpr Hand k_meaning_hand{k_usual_proportion, 1.0, true, false, true};
-constexpr double k_free_line = 9.0;
-/// Where lines cost no more than this each, they are of this face.
-constexpr double k_like_this_face = 13.0;
-/// Freely drawn faces cost no more than this a line; houses, trees and scribbles do.
-constexpr double k_most_free = 14.0;
-/// What costs more than this a line is no face at all.
-constexpr double k_no_face = 24.0;
+/// Lines of this very face cost no more than this each; those of other faces and of other things do.
+constexpr double k_like_this_face = 18.5;
 
 }  // namespace
 
@@ -194,33 +185,22 @@ base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& draw
   drawn.hand.over = drawing.in_view;
   SheetReader reader(known ? *own : face, lines, drawn);
   Reading reading = reader.read();
+  out.of_this_face = known || drawing.in_view || reading.energy < k_like_this_face * static_cast<double>(lines.size());
+  if (!out.of_this_face) {
+    out.lines.resize(drawing.lines.size());
+    out.shares.assign(face.controls().size(), 0.0);
+    out.proportions.assign(face.proportion_count(), 0.0);
+    out.energy = reading.energy;
+    return out;
+  }
   // What is drawn over a face is in its proportions.
   if (known || drawing.in_view) {
     out.lines = lines_of(face, reader.stretches(), reading, strokes, drawing.lines.size());
   } else {
-    // Somebody may have drawn a face of their own instead.
-    const double count = static_cast<double>(lines.size());
-    std::optional<SheetReader> freely;
-    std::optional<Reading> other;
-    if (reading.energy > k_like_this_face * count) {
-      freely.emplace(face, lines, Sketching{k_free_hand, false, false, given});
-      other = freely->read();
-    }
-    const bool free =
-        other && other->energy < k_most_free * count && other->energy + k_free_line * count < reading.energy;
-    if (free) reading = std::move(*other);
-    if (reading.energy > k_no_face * count) {
-      out.lines.resize(drawing.lines.size());
-      out.shares.assign(face.controls().size(), 0.0);
-      out.proportions.assign(face.mild_count(), 0.0);
-      out.energy = reading.energy;
-      return out;
-    }
-    const Stretches& stretches = free ? freely->stretches() : reader.stretches();
     // What controls do is drawn in the same proportions.
-    own = face.drawn_as(rest_of(face, stretches, reading, {}), false);
-    SheetReader again(*own, lines, free ? Sketching{k_meaning_hand, false, false, given} : drawn);
-    reading = free ? again.posed_as(reading, stretches) : again.read_from(reading, stretches);
+    own = face.drawn_as(rest_of(face, reader.stretches(), reading, {}), false);
+    SheetReader again(*own, lines, drawn);
+    reading = again.read_from(reading, reader.stretches());
     out.lines = lines_of(face, again.stretches(), reading, strokes, drawing.lines.size());
   }
   out.shares = reading.pose.shares;

@@ -48,6 +48,7 @@ struct DrawingRead {
   Placement placement;              ///< of the sheet on the face's own picture
   std::vector<double> proportions;  ///< by how much the drawing's differ, one a proportion of the face
   double energy = 0;                ///< what was minimised
+  bool of_this_face = true;         ///< the lines are those of this face; otherwise nothing of them is known
 };
 
 /// Reads all lines of a drawing together: which curve each is, where the face lies on the sheet, in what proportions it

@@ -90,8 +90,7 @@ class Artist {
     const auto lines = seen(rest_);
     std::vector<portrait::Part> parts;
     for (const auto& curve : curves_) parts.push_back(portrait::part_named(curve.name));
-    auto ways = portrait::proportions_of(lines, parts);
-    std::erase_if(ways, [](const portrait::Proportion& one) { return !one.mild; });
+    const auto ways = portrait::proportions_of(lines, parts);
     std::vector<PxPoint> from, to;
     std::vector<double> factors;
     for (std::size_t p = 0; p < ways.size(); ++p)

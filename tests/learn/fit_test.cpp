@@ -23,10 +23,10 @@ Terms evidence_alone() {
   return by;
 }
 
-Widths unit_alone() {
-  Widths widths;
-  widths[Term::unit] = 10;
-  return widths;
+Belief unit_alone() {
+  Belief belief;
+  belief.width[Term::unit] = 10;
+  return belief;
 }
 
 TEST(Fit, FindsTheWeightThatMakesRightReadingsLikely) {

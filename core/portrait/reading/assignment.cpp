@@ -80,7 +80,7 @@ class Search {
     if (++nodes_ > k_most_nodes && found_) return;
     if (found_ && cost + least_[p] >= best_.cost) return;
     if (p == order_.size()) {
-      if (hand_.free || hand_.over) {
+      if (hand_.over) {
         drawn_.assign(face_.curve_count(), 0.0);
         for (const Label& label : chosen_) {
           if (label.stretch == k_nothing) continue;

@@ -36,35 +36,12 @@ std::array<double, 3> inverse_spread_of_middle(const Spread& spread) {
   return {sum[2] / determinant, -sum[1] / determinant, sum[0] / determinant};
 }
 
-/// How a line lies where it likes, of a hand that draws freely: px of the face, and shares of its length.
-struct Looseness {
-  double shift, tilt, bow;
-  double width;  ///< how far its points stray, of what is usual
-};
-Looseness looseness_of(Part part) {
-  switch (part) {
-    case Part::brow:
-      return {8, 0.015, 0.08, 1};
-    case Part::eye:
-      return {6, 0.03, 0.05, 1.3};
-    case Part::mouth:
-      return {8, 0.02, 0.012, 1};
-    case Part::nose:
-      return {15, 0.15, 0.15, 3};
-    default:
-      return {25, 0.05, 0.08, 3};
-  }
-}
-
 }  // namespace
 
-std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch, Part part, const Hand& hand) {
+std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch) {
   constexpr double k_end = 0.04, k_end_of_part = 0.14, k_bend = 0.04;
-  constexpr double k_free_end = 0.12;
-
-  constexpr std::size_t k_along = 5, k_freely = 4;
-  const Looseness loose = looseness_of(part);
-  std::vector<Trace> out(hand.free ? k_along + k_freely : k_along);
+  constexpr std::size_t k_along = 5;
+  std::vector<Trace> out(k_along);
   Trace tangent{};
   double length = 0;
   for (std::size_t i = 0; i < k_points; ++i) {
@@ -76,11 +53,8 @@ std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch, Part par
     tangent[2 * i] = dx / step;
     tangent[2 * i + 1] = dy / step;
   }
-  const double end_share = hand.free ? k_free_end : stretch.whole() ? k_end : k_end_of_part;
+  const double end_share = stretch.whole() ? k_end : k_end_of_part;
   const double end = end_share * length / (stretch.to - stretch.from);
-  PxPoint across{mean[1] - mean[k_numbers - 1], mean[k_numbers - 2] - mean[0]};
-  const double chord = std::sqrt(across.x * across.x + across.y * across.y);
-  across = chord > 0.0 ? across * (length / chord) : PxPoint{0, 0};
   for (std::size_t i = 0; i < k_points; ++i) {
     const double x = static_cast<double>(i) / static_cast<double>(k_points - 1);
     const double angle = base::k_pi * x;
@@ -91,18 +65,9 @@ std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch, Part par
       out[s][2 * i] = along[s] * tangent[2 * i];
       out[s][2 * i + 1] = along[s] * tangent[2 * i + 1];
     }
-    if (!hand.free) continue;
-    out[k_along][2 * i] = out[k_along + 1][2 * i + 1] = loose.shift;
-    const double tilt = loose.tilt * (2.0 * x - 1.0), bow = loose.bow * base::sin(angle);
-    out[k_along + 2][2 * i] = tilt * across.x;
-    out[k_along + 2][2 * i + 1] = tilt * across.y;
-    out[k_along + 3][2 * i] = bow * across.x;
-    out[k_along + 3][2 * i + 1] = bow * across.y;
   }
   return out;
 }
-
-double Hand::width_of(Part part) const { return labelled ? width * looseness_of(part).width : width; }
 
 Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand) {
   PxPoint centre{0, 0};
@@ -122,13 +87,13 @@ Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand)
     for (std::size_t p = 0; p < belief.proportions.size(); ++p) {
       for (std::size_t i = 0; i < k_numbers; ++i) normal.mean[i] += belief.proportions[p] * stretch.proportions[p][i];
     }
-    const double wide = k_hand * hand.width_of(face.part(stretch.curve));
+    const double wide = k_hand * hand.width;
     Spread& c = normal.factor;
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = belief.doubt * belief.doubt * face.spread(s)[i];
     for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] += wide * wide;
-    for (std::size_t p = 0; p < hand.proportion_count(face); ++p)
-      add_way(stretch.proportions[p], hand.usual(face, p) * belief.doubt, c);
-    for (const Trace& slide : slides_of(normal.mean, stretch, face.part(stretch.curve), hand)) add_way(slide, 1.0, c);
+    for (std::size_t p = 0; p < face.proportion_count(); ++p)
+      add_way(stretch.proportions[p], hand.proportion * belief.doubt, c);
+    for (const Trace& slide : slides_of(normal.mean, stretch)) add_way(slide, 1.0, c);
     std::array<Trace, 4> moves{};
     for (std::size_t i = 0; i < k_points; ++i) {
       const double x = stretch.rest[2 * i] - centre.x, y = stretch.rest[2 * i + 1] - centre.y;

@@ -15,24 +15,9 @@ inline constexpr double k_part_cost = 3.0;
 
 /// How a hand draws: in its own proportions, and how steadily.
 struct Hand {
-  double proportion = k_usual_proportion;  ///< by how much a mild proportion usually differs from the face at rest
+  double proportion = k_usual_proportion;  ///< by how much a proportion usually differs from the face at rest
   double width = 1.0;                      ///< how far lines stray, of what is usual
-  /// A face as somebody sees it, not this one: all proportions differ, each by what is usual for it, and each line lies
-  /// a little where it likes.
-  bool free = false;
-  bool over = false;      ///< over the face that it sees, a line at a time
-  bool labelled = false;  ///< what each line is is known: what is meant is told by how much care parts are drawn with
-
-  /// How far lines of a part stray, of what is usual.
-  [[nodiscard]] double width_of(Part part) const;
-  /// How many proportions of a face may differ.
-  [[nodiscard]] std::size_t proportion_count(const FaceView& face) const {
-    return free ? face.proportion_count() : face.mild_count();
-  }
-  /// By how much one of them usually does.
-  [[nodiscard]] double usual(const FaceView& face, std::size_t which) const {
-    return free ? face.free_proportions()[which] : proportion;
-  }
+  bool over = false;                       ///< over the face that it sees, a line at a time
 };
 
 /// What is known of the face beside a line, when it is asked what that line may be.
@@ -67,8 +52,8 @@ class Likeness {
   std::vector<Normal> normals_;
 };
 
-/// Columns of how a line may slide along a stretch that lies at `mean`: its ends, and three waves between them; where
-/// it is drawn freely, also shifted, tilted and bowed. Each times its width of doubt.
-[[nodiscard]] std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch, Part part, const Hand& hand);
+/// Columns of how a line may slide along a stretch that lies at `mean`: its ends, and three waves between them, each
+/// times its width of doubt.
+[[nodiscard]] std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch);
 
 }  // namespace penpose::portrait

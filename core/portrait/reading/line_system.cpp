@@ -42,13 +42,11 @@ LineSystem::LineSystem(const FaceView& face, const Stretches& stretches, std::sp
       lines_(lines),
       hand_(hand),
       controls_(face.controls().size()),
-      proportions_(hand.proportion_count(face)),
+      proportions_(face.proportion_count()),
       size_(controls_ + proportions_ + k_place),
       blocks_(stretches.size()) {}
 
-double LineSystem::width(std::size_t stretch) const {
-  return k_width * hand_.width_of(face_.part(stretches_[stretch].curve));
-}
+double LineSystem::width() const { return k_width * hand_.width; }
 
 void LineSystem::bend(std::span<const double> shares, std::span<const double> proportions) {
   std::vector<double> bent(shares.begin(), shares.end());
@@ -73,14 +71,14 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   kept.emplace();
   Block& b = *kept;
   const Stretch& stretch = stretches_[number];
-  const double wide = width(number);
+  const double wide = width();
   Trace mean = stretch.rest;
   for (std::size_t k = 0; k < bent_.size(); ++k) {
     if (bent_[k] == 0.0) continue;
     const Trace& way = k < controls_ ? stretch.ways[k] : stretch.proportions[k - controls_];
     algebra::add_scaled(bent_[k], way.data(), mean.data(), k_numbers);
   }
-  const auto slides = slides_of(mean, stretch, face_.part(stretch.curve), hand_);
+  const auto slides = slides_of(mean, stretch);
   slides_ = slides.size();
   for (const Trace& slide : slides) {
     for (const double v : slide) b.slides.push_back(v / wide);
@@ -118,7 +116,7 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
 Trace LineSystem::off(std::size_t line, std::size_t stretch, bool reversed) const {
   const Trace there = guess_(lines_[line]);
   const Trace& rest = stretches_[stretch].rest;
-  const double wide = width(stretch);
+  const double wide = width();
   Trace out{};
   for (std::size_t i = 0; i < k_points; ++i) {
     const std::size_t k = reversed ? k_points - 1 - i : i;
@@ -140,7 +138,7 @@ void LineSystem::hold_undrawn(std::span<const Label> labels, std::vector<double>
     if (is_drawn(face_.part(c))) continue;
     const std::size_t whole = c * FaceView::stretches_per_curve();
     const Block& b = block(whole);
-    const double weight = width(whole) * width(whole) / (k_hold * k_hold);
+    const double weight = width() * width() / (k_hold * k_hold);
     for (std::size_t j = 0; j < controls_; ++j)
       algebra::add_scaled(weight, b.gram.data() + j * size_, gram.data() + j * size_, controls_);
   }
@@ -177,7 +175,7 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<cons
   for (std::size_t i = 0; i < n; ++i) {
     const double* row = gram.data() + (controls_ + i) * size_;
     std::copy_n(row + controls_, i + 1, factor_.data() + i * n);
-    const double usual = i < proportions_       ? hand_.usual(face_, i)
+    const double usual = i < proportions_       ? hand_.proportion
                          : i < proportions_ + 2 ? k_scale_doubt * k_unit_px
                                                 : k_shift_doubt;
     factor_[i * n + i] += 1.0 / (usual * usual * doubt_ * doubt_);

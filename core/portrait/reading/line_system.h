@@ -61,7 +61,7 @@ class LineSystem {
   /// Adds what it costs that controls move parts of the face of which nothing is drawn.
   void hold_undrawn(std::span<const Label> labels, std::vector<double>& gram);
   /// The width of doubt of a point, px of the face.
-  [[nodiscard]] double width(std::size_t stretch) const;
+  [[nodiscard]] double width() const;
   const Block& block(std::size_t stretch);
   [[nodiscard]] std::vector<double> slid_of(const Block& block, const double* column) const;
 

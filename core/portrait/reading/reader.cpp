@@ -22,7 +22,7 @@ constexpr std::size_t k_followed = 3;
 /// First guesses that are refined, and those of them that are turned, too.
 constexpr std::size_t k_refined = 4, k_turned = 2;
 /// Rounds of labels and placement in turn; of the pose alone.
-constexpr int k_rounds = 5, k_rounds_of_pose = 3;
+constexpr int k_rounds = 5;
 /// Doubt of placement and proportions while the first pose is sought: it would shrink a face to explain a laugh.
 constexpr double k_first_doubt = 0.1;
 constexpr double k_any = std::numeric_limits<double>::infinity();
@@ -85,7 +85,7 @@ SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, con
       apart_(distances_between(lines)),
       first_(face, Belief{{}, {}, 1.0}, sketching.hand),
       system_(face, stretches_, lines, sketching.hand),
-      solver_(face, sketching.hand) {}
+      solver_(face) {}
 
 std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
   std::vector<Trace> out;
@@ -185,7 +185,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
                                             double most) {
   Reading reading;
   double beside = 0;
-  if (hand_.free || hand_.over) join_shut_lips(labels);
+  if (hand_.over) join_shut_lips(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].stretch == k_nothing) {
       beside += hand_.over ? k_nothing_over : k_nothing_energy;
@@ -198,7 +198,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
       beside += cost_of_both(own, stretches_[labels[k].stretch], apart_[i * labels.size() + k]);
     }
   }
-  if (hand_.free || hand_.over) {
+  if (hand_.over) {
     std::vector<double> drawn(face_.curve_count(), 0.0);
     for (const Label& label : labels) {
       if (label.stretch == k_nothing) continue;
@@ -229,7 +229,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   reading.proportions = fitted.proportions;
   double unusual = 0;
   for (std::size_t p = 0; p < reading.proportions.size(); ++p) {
-    const double times = reading.proportions[p] / hand_.usual(face_, p);
+    const double times = reading.proportions[p] / hand_.proportion;
     unusual += times * times;
   }
   // What is unlikely in itself does not become likelier because lines are met badly.
@@ -354,21 +354,6 @@ Reading SheetReader::read_from(const Reading& other, const Stretches& stretches)
   system_.bend(other.pose.shares, other.proportions);
   system_.place_near(other.placement, doubt_of(other.placement));
   return improved(*read_as(std::move(labels), other.pose.units, k_any));
-}
-
-Reading SheetReader::posed_as(const Reading& other, const Stretches& stretches) {
-  Reading reading = other;
-  for (Label& label : reading.labels) {
-    if (label.stretch == k_nothing) continue;
-    const Stretch& one = stretches[label.stretch];
-    label.stretch = stretches_.near(one.curve, one.from, one.to);
-  }
-  for (int round = 0; round < k_rounds_of_pose; ++round) {
-    system_.bend(reading.pose.shares, reading.proportions);
-    system_.place_near(other.placement, 1.0);
-    reading = *read_as(std::move(reading.labels), reading.pose.units, k_any);
-  }
-  return reading;
 }
 
 Reading SheetReader::read() {

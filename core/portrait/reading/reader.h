@@ -37,8 +37,6 @@ class SheetReader {
   [[nodiscard]] Reading read();
   /// From what another reader of the same lines found, with its stretches.
   [[nodiscard]] Reading read_from(const Reading& other, const Stretches& stretches);
-  /// The pose alone, for its labels.
-  [[nodiscard]] Reading posed_as(const Reading& other, const Stretches& stretches);
   [[nodiscard]] const Stretches& stretches() const { return stretches_; }
 
  private:

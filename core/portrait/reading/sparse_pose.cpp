@@ -15,8 +15,6 @@ constexpr double k_sparse_reach = 80.0;
 constexpr double k_unit = 6.0, k_alone = 1.0;
 /// Times the square of a share.
 constexpr double k_share = 3.0;
-/// Of a face that somebody draws freely, whose pose goes beyond what a rig does, or short of it.
-constexpr double k_free_unit = 4.0, k_free_alone = 4.0, k_free_share = 1.0;
 constexpr std::size_t k_most_units = 14;
 constexpr double k_gain = 1e-9;
 
@@ -26,8 +24,7 @@ double SparseSolver::energy_of(double squares) {
   return k_sparse_reach * base::log(1.0 + std::max(0.0, squares) / k_sparse_reach);
 }
 
-SparseSolver::SparseSolver(const FaceView& face, const Hand& hand) : face_(face), count_(face.units().size()) {
-  share_cost_ = hand.free ? k_free_share : k_share;
+SparseSolver::SparseSolver(const FaceView& face) : face_(face), count_(face.units().size()) {
   for (const Unit& unit : face.units()) {
     double low = -1e300, high = 1e300;
     for (std::size_t m = 0; m < unit.count; ++m) {
@@ -36,7 +33,7 @@ SparseSolver::SparseSolver(const FaceView& face, const Hand& hand) : face_(face)
     }
     low_.push_back(low);
     high_.push_back(high);
-    costs_.push_back((hand.free ? k_free_unit : k_unit) + (!unit.one_side ? 0.0 : hand.free ? k_free_alone : k_alone));
+    costs_.push_back(k_unit + (unit.one_side ? k_alone : 0.0));
     all_.push_back(all_.size());
   }
 }
@@ -124,7 +121,7 @@ void SparseSolver::set_up(const SquaresOfDoubt& squares, std::span<const std::si
       for (std::size_t m = 0; m < units[a].count; ++m) {
         for (std::size_t k = 0; k < units[b].count; ++k) {
           const std::size_t i = units[a].members[m], j = units[b].members[k];
-          sum += squares.curvature[i * controls + j] + (i == j ? share_cost_ : 0.0);
+          sum += squares.curvature[i * controls + j] + (i == j ? k_share : 0.0);
         }
       }
       curvature_[a * count_ + b] = curvature_[b * count_ + a] = sum;

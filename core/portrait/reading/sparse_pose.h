@@ -30,7 +30,7 @@ struct SparsePose {
 /// energy; the shares are least squares within ranges.
 class SparseSolver {
  public:
-  SparseSolver(const FaceView& face, const Hand& hand);
+  explicit SparseSolver(const FaceView& face);
 
   /// `from`: units to begin with.
   [[nodiscard]] SparsePose solve(const SquaresOfDoubt& squares, std::span<const std::size_t> from);
@@ -56,7 +56,6 @@ class SparseSolver {
 
   const FaceView& face_;
   std::size_t count_ = 0;
-  double share_cost_ = 0;                   ///< times the square of a share
   std::vector<std::size_t> all_;            ///< 0, 1, 2, ... one a unit
   std::vector<double> low_, high_, costs_;  ///< one a unit
   std::vector<double> curvature_, pull_;    ///< of units

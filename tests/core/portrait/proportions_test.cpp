@@ -17,9 +17,7 @@ const std::vector<Part> k_parts = {Part::brow, Part::brow, Part::eye, Part::eye,
 
 TEST(Proportions, EachMovesWhatItIsCalledAfterAndBothSidesAlike) {
   std::vector<std::vector<Line>> ways;
-  for (const Proportion& one : proportions_of(k_face, k_parts)) {
-    if (one.mild) ways.push_back(one.ways);
-  }
+  for (const Proportion& one : proportions_of(k_face, k_parts)) ways.push_back(one.ways);
   ASSERT_EQ(ways.size(), 5u);
   // Eyes apart: brows go along, the mouth stays.
   EXPECT_EQ(ways[0][2][0], (PxPoint{-60, 0}));
@@ -33,16 +31,6 @@ TEST(Proportions, EachMovesWhatItIsCalledAfterAndBothSidesAlike) {
   EXPECT_EQ(ways[3][5][0], (PxPoint{0, 30}));
   EXPECT_EQ(ways[4][5][0], (PxPoint{0, 100}));
   EXPECT_EQ(ways[4][2][0], (PxPoint{0, 0}));
-}
-
-TEST(Proportions, WhereSomebodyDrawsFreelyFeaturesAreLargerToo) {
-  const auto all = proportions_of(k_face, k_parts);
-  const auto eyes = std::find_if(all.begin(), all.end(), [](const Proportion& one) { return !one.mild; });
-  ASSERT_NE(eyes, all.end());
-  // Eyes twice as wide, each about its own middle.
-  EXPECT_EQ(eyes->ways[2][0], (PxPoint{-20, 0}));
-  EXPECT_EQ(eyes->ways[3][1], (PxPoint{20, 0}));
-  EXPECT_EQ(eyes->ways[5][0], (PxPoint{0, 0}));
 }
 
 TEST(Proportions, WithoutEyesTheBrowsTellThemAndWithoutBothThereAreNone) {

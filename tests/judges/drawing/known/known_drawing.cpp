@@ -73,7 +73,7 @@ portrait::SheetWarp warp_of(const JudgedFace& face, const Lines& rest, double of
   std::vector<double> factors;
   const auto ways = portrait::proportions_of(rest, parts);
   for (std::size_t p = 0; p < ways.size(); ++p)
-    factors.push_back(ways[p].mild ? off * (random(0, 1) < 0.5 ? -1 : 1) * random(0.75, 1.25) : 0);
+    factors.push_back(off * (random(0, 1) < 0.5 ? -1 : 1) * random(0.75, 1.25));
   for (std::size_t c = 0; c < rest.size(); ++c) {
     for (std::size_t i = 0; i < rest[c].size(); i += std::max<std::size_t>(1, rest[c].size() / 7)) {
       from.push_back(rest[c][i]);

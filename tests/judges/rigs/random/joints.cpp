@@ -286,7 +286,7 @@ JointPlan random_joint_plan(const Dice& dice) {
   Dice own = dice.about("joints");
   JointPlan plan;
   const double kind = own.real(0, 1);
-  if (kind < 0.4) return plan;
+  if (kind < 0.25) return plan;
   plan.head = true;
   plan.body = own.chance(0.6);
   plan.jaw = own.chance(0.6);

@@ -49,8 +49,8 @@ Means lacking(const JointPlan& plan, const Parts& parts, const Dice& dice) {
   const auto without = [&](double share, bool joints) { return own.chance(share) || (joints && own.chance(0.8)); };
   const bool all = plan.brows && plan.lids && plan.mouth;
   // Figures are often made to speak, not to frown.
-  const bool speaks_only = Dice(dice.about("speaks only")).chance(plan.body ? 0.7 : 0.04);
-  const bool no_brows = without(0.1, plan.brows) || all || (speaks_only && !plan.brows);
+  const bool speaks_only = Dice(dice.about("speaks only")).chance(plan.body ? 0.7 : 0.1);
+  const bool no_brows = without(0.25, plan.brows) || all || (speaks_only && !plan.brows);
   const bool no_lids = without(0.08, plan.lids) || all;
   const bool no_mouth = without(0.02, plan.mouth) || all;
   const bool no_frown = own.chance(0.15);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "tests/judges/rigs/control_words.h"
@@ -56,6 +57,9 @@ class Planned {
 
   void shape(const std::string& word, Recipe recipe, std::optional<Means> means = {}) {
     shapes_.push_back({names_.control(word), std::move(recipe), std::move(means), false});
+  }
+  void named(std::string name, Recipe recipe, std::optional<Means> means) {
+    shapes_.push_back({std::move(name), std::move(recipe), std::move(means), false});
   }
   void emote(std::string name, Recipe recipe) { shapes_.push_back({std::move(name), std::move(recipe), {}, true}); }
 
@@ -180,6 +184,52 @@ void add_sums(Planned& planned, Dice dice, std::size_t count) {
   }
 }
 
+struct Sound {
+  const char* name;
+  std::vector<std::tuple<const char*, double, double>> made_of;  ///< muscle, least, most
+};
+
+const std::vector<Sound>& sounds() {
+  static const std::vector<Sound> all{
+      {"aa", {{"jaw_open", 0.5, 0.9}, {"lower_down_", 0, 0.4}, {"upper_up_", 0, 0.3}, {"stretch_", -0.1, 0.3}}},
+      {"E", {{"stretch_", 0.4, 0.8}, {"jaw_open", 0.1, 0.35}, {"upper_up_", 0, 0.4}, {"smile_", 0, 0.3}}},
+      {"ih", {{"stretch_", 0.2, 0.6}, {"jaw_open", 0.05, 0.3}, {"smile_", 0, 0.4}}},
+      {"oh", {{"funnel", 0.4, 0.9}, {"jaw_open", 0.2, 0.6}, {"lower_down_", 0, 0.3}}},
+      {"ou", {{"pucker", 0.6, 1}, {"funnel", 0, 0.4}, {"jaw_open", 0, 0.25}}},
+      {"PP", {{"press_", 0.5, 1}, {"roll_upper", 0, 0.6}, {"roll_lower", 0, 0.6}}},
+      {"FF", {{"roll_lower", 0.5, 1}, {"upper_up_", 0.1, 0.5}}},
+      {"TH", {{"jaw_open", 0.1, 0.3}, {"lower_down_", 0, 0.4}, {"upper_up_", 0, 0.3}}},
+      {"DD", {{"jaw_open", 0.05, 0.25}, {"upper_up_", 0, 0.4}, {"stretch_", 0, 0.3}}},
+      {"kk", {{"jaw_open", 0.1, 0.35}, {"stretch_", 0, 0.3}, {"upper_up_", 0, 0.4}}},
+      {"CH", {{"funnel", 0.4, 0.9}, {"pucker", 0, 0.5}, {"jaw_open", 0, 0.15}}},
+      {"SS", {{"stretch_", 0.1, 0.5}, {"lower_down_", 0, 0.4}, {"smile_", 0, 0.3}}},
+      {"nn", {{"jaw_open", 0.05, 0.2}, {"upper_up_", 0, 0.3}, {"stretch_", 0, 0.2}}},
+      {"RR", {{"funnel", 0.2, 0.6}, {"jaw_open", 0, 0.2}, {"pucker", 0, 0.3}}}};
+  return all;
+}
+
+/// Mouths of speech. Each is for a sound, so nobody means it by a line, unless the rig has no other mouths.
+void add_mouths_of_speech(Planned& planned, const std::string& before, Dice own, bool alone) {
+  for (const Sound& sound : sounds()) {
+    Recipe recipe;
+    for (const auto& [muscle, least, most] : sound.made_of) {
+      const double amount = own.real(least, most);
+      const std::string name = muscle;
+      if (name.back() == '_') {
+        recipe.emplace_back(name + "L", amount);
+        recipe.emplace_back(name + "R", amount);
+      } else {
+        recipe.emplace_back(name, amount);
+      }
+    }
+    if (alone) {
+      planned.named(before + sound.name, std::move(recipe), {});
+    } else {
+      planned.named(before + sound.name, std::move(recipe), Means{});
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t corrections_of(const Dice& dice) {
@@ -194,7 +244,7 @@ std::string add_random_shapes(FaceBuilder& face, const Parts& parts, Names& name
   const double size = own.real(0, 1);
   const double rich = size < 0.3 ? own.real(0, 0.25) : size < 0.75 ? own.real(0.25, 0.8) : own.real(0.8, 1);
   const bool many = size > 0.9;
-  const bool arkit = set < 0.14;
+  const bool arkit = set < 0.14 || set > 0.88;
   const bool vrm = set >= 0.14 && set < 0.3;
   const bool alone = vrm && own.chance(0.35);
   if (arkit) add_arkit(face);
@@ -208,7 +258,8 @@ std::string add_random_shapes(FaceBuilder& face, const Parts& parts, Names& name
   }
   const std::array<const char*, 5> k_before{"viseme_", "", "Fcl_MTH_", "V_", "mouth_"};
   const std::string before = own.one_of(k_before);
-  if (vrm || (own.chance(0.2) && !mixed)) add_visemes(face, before);
+  const bool speaks = own.chance(arkit ? 0.5 : 0.2);
+  if (vrm || (speaks && !mixed)) add_mouths_of_speech(planned, before, dice.about("speech"), vrm && alone);
   if (vrm || own.chance(0.35) || mixed) {
     for (const auto& [name, recipe] : random_faces(dice, vrm || mixed)) planned.emote(name, recipe);
   }

@@ -1,0 +1,184 @@
+#include "core/portrait/sketch/expression.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/portrait/sketch/habits.h"
+
+namespace penpose::portrait {
+namespace {
+
+/// What is left of a difference from what is usual: nothing of what is usual, all of what is clearly more, and between
+/// them a straight line (firm shrinkage; Gao and Bruce 1997).
+double beyond(double difference, const Usual& usual, double doubt) {
+  const double size = std::abs(difference);
+  const double low = usual.spread * doubt * k_from;
+  const double high = usual.spread * doubt * k_whole;
+  if (size <= low) return 0;
+  if (size >= high) return difference;
+  return (difference > 0 ? 1.0 : -1.0) * high * (size - low) / (high - low);
+}
+
+/// The gap between a brow and the eye below it.
+double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& eye) {
+  return brow.height - (eye ? 0.5 * eye->height : 0.0);
+}
+
+bool is_line(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::line; }
+bool is_open(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::open; }
+
+/// How far an eye is closed, as far as it alone tells.
+double closed_alone(const EyeMeasure& eye, const std::optional<EyeMeasure>& rest, double doubt) {
+  if (eye.kind == EyeKind::dot) return 0;
+  if (rest && rest->kind == EyeKind::open && rest->opening > 0) {
+    const double opening = eye.kind == EyeKind::open ? eye.opening : 0;
+    const double ratio = eye.width > 0 && rest->width > 0 ? opening * eye.width / (rest->opening * rest->width) : 1;
+    return std::clamp(beyond(1 - ratio, k_closing, doubt), -k_widest, 1.0);
+  }
+  if (eye.kind == EyeKind::line) return std::abs(eye.bend) >= k_shut_bend ? 1 : 0;
+  double closed = 0;
+  if (eye.covered) closed = std::clamp(beyond(*eye.covered - k_covered.mean, k_covered, doubt), -k_widest, 1.0);
+  if (eye.opening < k_half_open) closed = std::max(closed, 1 - eye.opening / k_half_open);
+  return closed;
+}
+
+std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const std::optional<RestingFace>& rest) {
+  std::array<std::optional<double>, 2> out;
+  const double doubt = rest ? rest->doubt : 1;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!drawn.eyes[side]) continue;
+    out[side] = closed_alone(*drawn.eyes[side], rest ? rest->measures.eyes[side] : std::nullopt, doubt);
+  }
+  if (!out[0] || !out[1]) return out;
+  // Eyes are wide together.
+  const double wide = std::max(*out[0], *out[1]);
+  for (auto& one : out) {
+    if (*one < 0) one = std::min(0.0, wide);
+  }
+  // One eye against the other says more than either alone.
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& one = drawn.eyes[side];
+    const auto& other = drawn.eyes[1 - side];
+    if (is_line(one) && !is_line(other)) {
+      out[side] = 1;
+      out[1 - side] = std::min(*out[1 - side], 0.0);
+    }
+    if (is_open(one) && is_open(other)) {
+      const double own = one->opening * one->width;
+      const double its = other->opening * other->width;
+      if (its > 0 && own < k_unlike * its) out[side] = std::max(*out[side], 1 - own / its);
+    }
+  }
+  return out;
+}
+
+/// Sides that differ by no more than a hand does show the same.
+void make_even(double& one, double& other, double stray) {
+  if (std::abs(one - other) > stray) return;
+  one = other = 0.5 * (one + other);
+}
+
+std::optional<Expression::Brow> brow_of(const FaceMeasures& drawn, std::size_t side,
+                                        const std::optional<RestingFace>& rest) {
+  if (!drawn.brows[side]) return {};
+  const BrowMeasure& brow = *drawn.brows[side];
+  double tilt = k_tilt.mean, gap = k_brow_gap.mean;
+  if (rest && rest->measures.brows[side]) {
+    tilt = rest->measures.brows[side]->tilt;
+    gap = gap_over_eye(*rest->measures.brows[side], rest->measures.eyes[side]);
+  }
+  const double doubt = rest ? rest->doubt : 1;
+  Expression::Brow out;
+  out.tilted = std::clamp(beyond(brow.tilt - tilt, k_tilt, doubt), -k_most_tilt, k_most_tilt);
+  const double higher = gap_over_eye(brow, drawn.eyes[side]) - gap;
+  out.raised = std::clamp(beyond(higher, higher > 0 ? k_brow_gap : k_low_brow, doubt), -k_most_raise, k_most_raise);
+  return out;
+}
+
+Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<RestingFace>& rest) {
+  const double doubt = rest ? rest->doubt : 1;
+  const MouthMeasure* known = rest && rest->measures.mouth ? &*rest->measures.mouth : nullptr;
+  Expression::Mouth out;
+  const double width = known ? known->width : k_mouth_width.mean;
+  const double ratio = drawn.width / width;
+  // A mouth of one flat line is drawn in any width.
+  const bool says_width = drawn.lines > 1 || ratio > 1 + k_widest_flat;
+  out.widened = says_width ? std::clamp(beyond(ratio - 1, k_mouth_width, doubt), -k_most_narrowed, k_most_widened) : 0;
+  // Heights are of the drawn width; a mouth that is drawn twice as wide curves twice as far, but no face does.
+  const double scale = std::clamp(ratio, 0.5, 1.3);
+  const double gap = drawn.shut ? 0 : drawn.gap - (known && !known->shut ? known->gap : 0);
+  // Lips that kiss have a form of their own.
+  const bool kisses = drawn.shut && drawn.lines > 1 && out.widened < 0;
+  out.opened = std::clamp(std::max(0.0, beyond(gap * ratio, k_gap, doubt)), 0.0, k_most_open);
+  const std::array<double, 2> at_rest = known ? known->corners : std::array<double, 2>{k_corner.mean, k_corner.mean};
+  std::array<double, 2> corners{};
+  for (std::size_t side = 0; side < 2; ++side) corners[side] = drawn.corners[side] - at_rest[side];
+  double both = beyond(0.5 * (corners[0] + corners[1]), k_corner, doubt);
+  const double uneven = beyond(corners[0] - corners[1], k_corner_skew, doubt);
+  // The middle of an open mouth is lower than that of a shut one.
+  if (both > 0) both = std::max(0.0, both - (0.5 - k_upper_of_gap) * gap);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double own = both + (side == 0 ? 0.5 : -0.5) * uneven;
+    out.corners[side] = std::clamp(own * scale, -k_most_corner, k_most_corner);
+  }
+  // Corners that go up go outwards.
+  for (const double corner : out.corners) {
+    if (out.widened >= 0 && corner > 0) out.widened = std::max(out.widened, k_smile_widens * corner);
+  }
+  if (kisses) out.corners = {0, 0};
+  // A small round mouth has no corners; one that laughs is drawn in any width.
+  if (out.widened < 0 && out.opened > 0) {
+    if (0.5 * (corners[0] + corners[1]) > k_laughing * gap) {
+      out.widened = 0;
+    } else {
+      out.corners = {0, 0};
+    }
+  }
+  return out;
+}
+
+/// What goes with an expression and is seldom drawn.
+void add_companions(Expression& expression, const FaceMeasures& drawn) {
+  if (!expression.brows[0] || !expression.brows[1] || !expression.mouth) return;
+  const double tilt = 0.5 * (expression.brows[0]->tilted + expression.brows[1]->tilted);
+  const double raised = 0.5 * (expression.brows[0]->raised + expression.brows[1]->raised);
+  Expression::Mouth& mouth = *expression.mouth;
+  const bool afraid = tilt < 0 && (mouth.opened > 0 || mouth.widened > 0);
+  const bool surprised = raised > 0 && mouth.opened > 0 && mouth.widened < 0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if ((afraid || surprised) && expression.closed[side] && *expression.closed[side] == 0 && !is_line(drawn.eyes[side]))
+      expression.closed[side] = -k_startled;
+  }
+  const bool disgusted =
+      tilt > 0 && drawn.wrinkled[0] && drawn.wrinkled[1] && mouth.corners[0] <= 0 && mouth.corners[1] <= 0;
+  if (disgusted) mouth.sneered = k_sneer;
+}
+
+}  // namespace
+
+bool Expression::rests() const {
+  for (const auto& brow : brows) {
+    if (brow && (brow->raised != 0 || brow->tilted != 0)) return false;
+  }
+  for (const auto& eye : closed) {
+    if (eye && *eye != 0) return false;
+  }
+  return !mouth || (mouth->corners == std::array<double, 2>{0, 0} && mouth->widened == 0 && mouth->opened == 0 &&
+                    mouth->sneered == 0);
+}
+
+Expression expression_of(const FaceMeasures& drawn, const std::optional<RestingFace>& rest) {
+  Expression out;
+  out.closed = closed_of(drawn, rest);
+  if (out.closed[0] && out.closed[1]) make_even(*out.closed[0], *out.closed[1], k_even_lids);
+  for (std::size_t side = 0; side < 2; ++side) out.brows[side] = brow_of(drawn, side, rest);
+  if (out.brows[0] && out.brows[1]) {
+    make_even(out.brows[0]->raised, out.brows[1]->raised, k_even_brows);
+    make_even(out.brows[0]->tilted, out.brows[1]->tilted, k_even_tilts);
+  }
+  if (drawn.mouth) out.mouth = mouth_of(*drawn.mouth, rest);
+  add_companions(out, drawn);
+  return out;
+}
+
+}  // namespace penpose::portrait

@@ -1,0 +1,272 @@
+#include "core/portrait/sketch/face_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/math.h"
+#include "core/curve/polyline.h"
+#include "core/portrait/sketch/habits.h"
+
+namespace penpose::portrait {
+namespace {
+
+constexpr std::size_t k_mark_points = 33;
+/// The ends of a line meet if they are nearer to each other than this share of its length.
+constexpr double k_ends_meet = 0.12;
+
+struct Box {
+  PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
+  void add(const PxPoint& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+};
+
+/// The points of each line, evenly along it.
+std::vector<FaceMark> marks_of(std::span<const std::vector<PxPoint>> lines) {
+  std::vector<FaceMark> marks;
+  for (const std::vector<PxPoint>& line : lines) {
+    FaceMark mark;
+    auto even = curve::resample<PxPoint>(line, k_mark_points);
+    mark.points = even ? std::move(*even) : std::vector<PxPoint>(k_mark_points, line.front());
+    const double length = curve::arc_length<PxPoint>(line);
+    mark.closed = geometry::distance(line.front(), line.back()) <= k_ends_meet * length;
+    Box box;
+    for (const PxPoint& p : mark.points) box.add(p);
+    mark.low = box.low;
+    mark.high = box.high;
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+double off(double value, double mean, double spread) {
+  const double d = (value - mean) / spread;
+  return 0.5 * d * d;
+}
+
+/// What it costs that a mark is drawn where a habit has its part.
+double cost_of(const FaceMark& mark, const PartHabit& habit) {
+  const PxPoint at = mark.middle();
+  const PxPoint size = mark.size();
+  const double wide = base::log(std::max(size.x, k_least_size));
+  const double high = base::log(std::max(size.y, k_least_size));
+  const double x = habit.sides ? std::abs(at.x) : at.x;
+  return habit.base + off(x, habit.x, habit.x_spread) + off(at.y, habit.y, habit.y_spread) +
+         off(wide, base::log(habit.width), habit.width_spread) +
+         off(high, base::log(habit.height), habit.height_spread);
+}
+
+bool within_face(const FaceMark& mark) {
+  const PxPoint at = mark.middle();
+  return std::abs(at.x) < k_face_half_width && at.y > -k_face_above && at.y < k_face_below;
+}
+
+void label(FaceMark& mark) {
+  mark.part = FacePart::unknown;
+  mark.cost = within_face(mark) ? k_unknown_cost : k_around_cost;
+  if (!within_face(mark)) mark.part = FacePart::around;
+  for (const PartHabit& habit : part_habits()) {
+    if (habit.form != LineForm::any && (habit.form == LineForm::closed) != mark.closed) continue;
+    const double cost = cost_of(mark, habit);
+    if (cost >= mark.cost) continue;
+    mark.cost = cost;
+    mark.part = habit.part;
+  }
+  mark.right = mark.middle().x > 0;
+}
+
+bool is_straight(const FaceMark& mark) {
+  return geometry::distance(mark.points.front(), mark.points.back()) > k_straight * mark.length;
+}
+
+/// A straight line that is longer than what else is drawn of the mouth says where the mouth is to be.
+void drop_construction_line(FaceLayout& layout) {
+  double low = 1e300, high = -1e300;
+  for (const FaceMark& mark : layout.marks) {
+    if (mark.part != FacePart::mouth || is_straight(mark)) continue;
+    low = std::min(low, mark.low.x);
+    high = std::max(high, mark.high.x);
+  }
+  for (FaceMark& mark : layout.marks) {
+    if (!(low < high)) break;
+    const bool longer = mark.size().x > k_longer_than_mouth * (high - low);
+    if (mark.part == FacePart::mouth && is_straight(mark) && longer) mark.part = FacePart::unknown;
+  }
+}
+
+/// A face has a mouth: where no line is more likely to be one than anything else, the likeliest is.
+void find_mouth(FaceLayout& layout) {
+  FaceMark* best = nullptr;
+  double least = k_unknown_cost;
+  for (FaceMark& mark : layout.marks) {
+    if (mark.part == FacePart::mouth) return;
+    for (const PartHabit& habit : part_habits()) {
+      if (habit.part != FacePart::mouth || cost_of(mark, habit) >= least) continue;
+      least = cost_of(mark, habit);
+      best = &mark;
+    }
+  }
+  if (best == nullptr) return;
+  best->part = FacePart::mouth;
+  best->cost = least;
+}
+
+/// Of what could be the mouth, the likeliest is, and what lies at it.
+void keep_one_mouth(FaceLayout& layout) {
+  drop_construction_line(layout);
+  const FaceMark* best = nullptr;
+  for (const FaceMark& mark : layout.marks) {
+    if (mark.part == FacePart::mouth && (!best || mark.cost < best->cost)) best = &mark;
+  }
+  if (best == nullptr) return;
+  const PxPoint at = best->middle();
+  const PxPoint reach = best->size() * 0.5 + PxPoint{k_mouth_reach, k_mouth_reach};
+  for (FaceMark& mark : layout.marks) {
+    const PxPoint d = mark.middle() - at;
+    const bool near = std::abs(d.x) < reach.x + 0.5 * mark.size().x && std::abs(d.y) < reach.y + 0.5 * mark.size().y;
+    if (mark.part == FacePart::mouth && !near) {
+      mark.part = FacePart::unknown;
+      mark.cost = std::max(mark.cost, 0.5 * k_unknown_cost);
+    }
+  }
+}
+
+bool is_of_eye(const FaceMark& mark) { return mark.part == FacePart::eye || mark.part == FacePart::pupil; }
+
+/// How unlike two marks are: the differences of the logarithms of their sizes.
+double unlike(const FaceMark& a, const FaceMark& b) {
+  const auto ratio = [](double x, double y) {
+    return std::abs(base::log(std::max(x, k_least_size) / std::max(y, k_least_size)));
+  };
+  return ratio(a.size().x, b.size().x) + ratio(a.size().y, b.size().y);
+}
+
+/// How unlike the eyes are where they are most alike.
+double unlike_eyes(const FaceLayout& layout) {
+  double least = k_most_unlike;
+  for (const FaceMark& a : layout.marks) {
+    if (!is_of_eye(a) || a.right) continue;
+    for (const FaceMark& b : layout.marks) {
+      if (is_of_eye(b) && b.right) least = std::min(least, unlike(a, b));
+    }
+  }
+  return least;
+}
+
+FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along) {
+  FaceLayout layout;
+  layout.middle = middle;
+  layout.along = along;
+  double sum = 0;
+  double count = 0;
+  for (const FaceMark& mark : marks) {
+    FaceMark one = mark;
+    Box box;
+    for (PxPoint& p : one.points) {
+      p = layout.in_frame(p);
+      box.add(p);
+    }
+    one.low = box.low;
+    one.high = box.high;
+    one.length = curve::arc_length<PxPoint>(one.points);
+    label(one);
+    layout.marks.push_back(std::move(one));
+  }
+  find_mouth(layout);
+  keep_one_mouth(layout);
+  std::array<bool, 2> eye{false, false}, brow{false, false};
+  bool mouth = false;
+  for (const FaceMark& mark : layout.marks) {
+    const std::size_t side = mark.right ? 1 : 0;
+    if (mark.part == FacePart::eye || mark.part == FacePart::pupil) eye[side] = true;
+    if (mark.part == FacePart::brow) brow[side] = true;
+    if (mark.part == FacePart::mouth) mouth = true;
+    const double weight = std::sqrt(std::max(k_least_size, mark.length));
+    sum += weight * mark.cost;
+    count += weight;
+  }
+  layout.cost = (count > 0 ? sum / count : k_unknown_cost) + k_unlike_cost * unlike_eyes(layout);
+  if (!mouth || !eye[0] || !eye[1]) layout.cost += k_unknown_cost;
+  if (brow[0] != brow[1]) layout.cost += k_lone_brow_cost;
+  if (!brow[0] && !brow[1]) layout.cost += k_no_brows_cost;
+  return layout;
+}
+
+/// Whether two marks may be the eyes of a face: alike, beside each other.
+bool may_be_eyes(const FaceMark& a, const FaceMark& b) {
+  const PxPoint d = b.middle() - a.middle();
+  const double one = std::max(a.size().x, a.size().y);
+  const double other = std::max(b.size().x, b.size().y);
+  const double large = std::max(one, other);
+  return d.x > 0 && std::abs(d.y) < k_most_roll * d.x && large < k_largest_eye * d.x && large > k_smallest_eye * d.x &&
+         std::min(one, other) > k_least_alike * large;
+}
+
+/// The frame from all lines of eyes that have a counterpart.
+FaceLayout refined(const std::vector<FaceMark>& marks, const FaceLayout& found) {
+  PxPoint left{0, 0}, right{0, 0};
+  double weight = 0;
+  for (const FaceMark& a : found.marks) {
+    if (!is_of_eye(a) || a.right) continue;
+    const FaceMark* best = nullptr;
+    double least = k_counterpart;
+    for (const FaceMark& b : found.marks) {
+      if (!is_of_eye(b) || !b.right) continue;
+      const PxPoint d{a.middle().x + b.middle().x, a.middle().y - b.middle().y};
+      const double off = unlike(a, b) + k_counterpart_off * (std::abs(d.x) + std::abs(d.y));
+      if (off >= least) continue;
+      least = off;
+      best = &b;
+    }
+    if (best == nullptr) continue;
+    const double own = a.size().x + best->size().x;
+    left = left + a.middle() * own;
+    right = right + best->middle() * own;
+    weight += own;
+  }
+  if (!(weight > 0)) return found;
+  const PxPoint l = found.on_sheet(left * (1 / weight));
+  const PxPoint r = found.on_sheet(right * (1 / weight));
+  FaceLayout again = laid(marks, (l + r) * 0.5, r - l);
+  return again.cost < found.cost + k_refined_gain ? again : found;
+}
+
+}  // namespace
+
+PxPoint FaceLayout::in_frame(const PxPoint& p) const {
+  const PxPoint d = p - middle;
+  const double squared = geometry::dot(along, along);
+  return {geometry::dot(d, along) / squared, (along.x * d.y - along.y * d.x) / squared};
+}
+
+PxPoint FaceLayout::on_sheet(const PxPoint& p) const { return middle + along * p.x + PxPoint{-along.y, along.x} * p.y; }
+
+FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, PxPoint along) {
+  return laid(marks_of(lines), middle, along);
+}
+
+std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines) {
+  const std::vector<FaceMark> marks = marks_of(lines);
+  std::optional<FaceLayout> best;
+  for (const FaceMark& a : marks) {
+    for (const FaceMark& b : marks) {
+      if (!may_be_eyes(a, b)) continue;
+      FaceLayout one = laid(marks, (a.middle() + b.middle()) * 0.5, b.middle() - a.middle());
+      if (!best || one.cost < best->cost) best = std::move(one);
+    }
+  }
+  if (!best) return best;
+  best = refined(marks, *best);
+  if (best->cost >= k_unknown_cost) return std::nullopt;
+  return best;
+}
+
+const char* name_of(FacePart part) {
+  constexpr std::array<const char*, 11> k_names{"eye",    "pupil", "fold",    "brow",   "nose",   "mouth",
+                                                "corner", "cheek", "outline", "around", "unknown"};
+  return k_names[static_cast<std::size_t>(part)];
+}
+
+}  // namespace penpose::portrait

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <span>
+
+#include "core/portrait/sketch/face_layout.h"
+
+// How people draw faces: where parts lie, and how they look at rest. Lengths in distances of the eyes.
+
+namespace penpose::portrait {
+
+enum class LineForm : unsigned char { any, open, closed };
+
+/// Where a part is drawn: the middle of a line and the logarithms of its width and height are normally distributed.
+struct PartHabit {
+  FacePart part;
+  bool sides;  ///< of both sides; x is then that of either
+  double x, x_spread, y, y_spread;
+  double width, width_spread, height, height_spread;  ///< spreads of logarithms
+  double base;                                        ///< of how rare it is
+  LineForm form = LineForm::any;
+};
+[[nodiscard]] std::span<const PartHabit> part_habits();
+
+inline constexpr double k_least_size = 0.02;
+inline constexpr double k_unknown_cost = 5.5;
+inline constexpr double k_around_cost = 3.5;
+inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
+inline constexpr double k_mouth_reach = 0.15;
+/// The distance of a straight line's ends is more than this share of its length.
+inline constexpr double k_straight = 0.995;
+inline constexpr double k_longer_than_mouth = 1.1;
+inline constexpr double k_lone_brow_cost = 0.3, k_no_brows_cost = 0.5;
+inline constexpr double k_most_roll = 0.45, k_largest_eye = 1.05, k_smallest_eye = 0.06, k_least_alike = 0.25;
+/// What eyes that are unlike cost.
+inline constexpr double k_unlike_cost = 0.25, k_most_unlike = 1.0;
+/// Lines of both eyes that are no more unlike than this are counterparts.
+inline constexpr double k_counterpart = 0.9, k_counterpart_off = 2.0;
+inline constexpr double k_refined_gain = 0.2;
+/// Lines nearer than this share of a part's width are one line, drawn twice.
+inline constexpr double k_doubled = 0.07;
+/// Pupils whose radius is a smaller share of the opening say nothing of lids.
+inline constexpr double k_small_pupil = 0.28;
+/// A mouth of three lines that is higher than this share of its width is open.
+inline constexpr double k_open_height = 0.4;
+/// So high are two lips that are alike.
+inline constexpr double k_highest_lips = 0.65;
+/// Lines of a mouth from corner to corner are at least this share of its width.
+inline constexpr double k_from_corner_to_corner = 0.72, k_seam = 0.45, k_seam_inset = 0.04;
+/// Lips are drawn no higher than this share of the width.
+inline constexpr double k_lip_height = 0.22;
+inline constexpr double k_wrinkle_height = 0.22, k_wrinkles_above = 0.4;
+/// The corners of an open mouth that laughs are this share of the gap above its middle.
+inline constexpr double k_laughing = 0.3;
+/// How far lids part where a face is frightened or surprised, and how far an upper lip rises in disgust, of the mouth's
+/// width.
+inline constexpr double k_startled = 0.4, k_sneer = 0.12;
+inline constexpr double k_narrow_mouth = 0.5;
+/// Lips are about as high as each other: a gap so much higher than the other one is the opening.
+inline constexpr double k_uneven_lips = 1.6;
+/// A mouth that is so much wider than usual says so even where it is one flat line.
+inline constexpr double k_widest_flat = 0.6;
+
+/// How a measure is in drawings of faces at rest.
+struct Usual {
+  double mean, spread;
+};
+inline constexpr Usual k_tilt{-0.06, 0.08}, k_brow_gap{0.29, 0.055}, k_low_brow{0.29, 0.12}, k_corner{0.0, 0.03},
+    k_corner_skew{0.0, 0.04}, k_mouth_width{0.8, 0.15}, k_gap{0.0, 0.04}, k_covered{0.0, 0.12}, k_closing{0.0, 0.1};
+/// Differences below this many spreads are no expression; those above the other one are nothing else.
+inline constexpr double k_from = 1.7, k_whole = 2.6;
+/// A line for an eye is a shut eye where both eyes are lines and bend by this share of their width.
+inline constexpr double k_shut_bend = 0.12;
+/// A smile widens the mouth by this much of what it raises the corners.
+inline constexpr double k_smile_widens = 0.8;
+/// What is clearly drawn of a tilt and of a gap, and the share of it that a face has to show.
+inline constexpr double k_clear_tilt = 0.22, k_clear_gap = 0.15, k_shown = 0.25;
+/// A hand draws both sides as unlike as this.
+inline constexpr double k_even_lids = 0.4, k_even_brows = 0.12, k_even_tilts = 0.3;
+/// An eye without an iris that is opened less than this share of its width is partly shut.
+inline constexpr double k_half_open = 0.26;
+/// An eye that is opened less than this share of the other is partly shut.
+inline constexpr double k_unlike = 0.6;
+/// As far as faces go.
+inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k_most_corner = 0.25, k_most_open = 0.8,
+                        k_most_narrowed = 0.5, k_most_widened = 0.35;
+/// A brow tilts about this share of its length from the inner end.
+inline constexpr double k_tilt_pivot = 0.75;
+/// Lips part upwards by this share of the gap.
+inline constexpr double k_upper_of_gap = 0.2;
+/// How far what is meant strays from what a sketch shows, of the distance of the eyes.
+inline constexpr double k_sketch_doubt = 0.025;
+/// Drawings whose lines cost more than this, on the mean, are no faces.
+inline constexpr double k_most_cost = 3.65;
+/// Doubt where the same hand drew the face at rest, and where the model's own features are those at rest.
+inline constexpr double k_same_hand = 0.6, k_over_face = 0.6;
+
+}  // namespace penpose::portrait

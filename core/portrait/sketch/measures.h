@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/portrait/sketch/face_layout.h"
+
+namespace penpose::portrait {
+
+/// How a brow is drawn. Lengths in distances of the eyes.
+struct BrowMeasure {
+  double height = 0;  ///< of its middle over the middle of the eyes
+  double tilt = 0;    ///< rise from its inner to its outer end, of its width: below 0, the inner end is the higher one
+  double bend = 0;    ///< by how much its middle is above its ends, of its width
+};
+
+enum class EyeKind : unsigned char {
+  open,  ///< between two lids
+  line,  ///< one line: shut, or a dash that stands for an eye
+  dot    ///< a dot or a dash upright
+};
+
+struct EyeMeasure {
+  EyeKind kind = EyeKind::open;
+  double opening = 0;  ///< from lid to lid, of its width; 0 of lines and dots
+  double bend = 0;     ///< of a line: by how much its middle is above its ends, of its width
+  std::optional<double>
+      covered;  ///< by the upper lid: the share of the iris, or of the whole eye; below 0, white shows
+  double width = 0;
+  double height = 0;  ///< of all that is drawn of it
+};
+
+struct MouthMeasure {
+  double width = 0;
+  double gap = 0;                       ///< between the lips, of the width
+  std::array<double, 2> corners{0, 0};  ///< height of the corners over the middle of the lips, of the width: at the
+                                        ///< left of the picture, at the right
+  std::size_t lines = 1;                ///< one above the other
+  bool shut = true;                     ///< one line, or lips with a line between them
+  double upper = 0;                     ///< the middle of the upper border over the middle of the mouth, of the width
+};
+
+/// What a drawing shows of a face. Parts that are not drawn have no measure. Sides: the left of the picture first,
+/// which is the right of the face.
+struct FaceMeasures {
+  std::array<std::optional<BrowMeasure>, 2> brows;
+  std::array<std::optional<EyeMeasure>, 2> eyes;
+  std::optional<MouthMeasure> mouth;
+  std::array<bool, 2> wrinkled{false, false};  ///< lines beside the nose, or from it to the mouth
+};
+
+[[nodiscard]] FaceMeasures measure(const FaceLayout& layout);
+
+/// Whether a face shows something else than what was drawn, however it is proportioned: brows that are tilted the other
+/// way, shut lips apart, or lips that have gone through each other. `rest` is the same face at rest.
+[[nodiscard]] bool contradicts(const FaceMeasures& drawn, const FaceMeasures& posed, const FaceMeasures& rest);
+
+}  // namespace penpose::portrait

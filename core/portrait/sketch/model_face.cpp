@@ -1,0 +1,211 @@
+#include "core/portrait/sketch/model_face.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/portrait/proportions.h"
+#include "core/portrait/sketch/habits.h"
+
+namespace penpose::portrait {
+namespace {
+
+PxPoint middle_of(const std::vector<PxPoint>& points) {
+  PxPoint sum{0, 0};
+  for (const PxPoint& p : points) sum = sum + p;
+  return sum * (1.0 / static_cast<double>(points.size()));
+}
+
+struct Ends {
+  double low = 1e300, high = -1e300;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+};
+Ends ends_of(const std::vector<PxPoint>& points) {
+  Ends ends;
+  for (const PxPoint& p : points) ends.add(p.x);
+  return ends;
+}
+
+/// The height of a line at x; beyond its ends, of the nearer end.
+double height_at(const std::vector<PxPoint>& line, double x) {
+  const PxPoint* best = &line.front();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const PxPoint& a = line[i];
+    const PxPoint& b = line[i + 1];
+    if ((a.x <= x) != (b.x <= x)) return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+  }
+  for (const PxPoint& p : line) {
+    if (std::abs(p.x - x) < std::abs(best->x - x)) best = &p;
+  }
+  return best->y;
+}
+
+bool has_word(const std::string& name, const char* word) {
+  std::string lower;
+  for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower.find(word) != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<ModelFace> ModelFace::see(const rig::Rig& rig, std::span<const FeatureCurve> curves,
+                                        const rig::Pose& start, const geometry::Camera& camera) {
+  ModelFace face(curves, camera);
+  std::vector<geometry::ModelPoint> places(rig.vertex_count());
+  rig.evaluate(start, places);
+  std::array<std::vector<PxPoint>, 2> eyes;
+  std::vector<PxPoint> mouth, brows;
+  for (const FeatureCurve& curve : curves) {
+    Seen one;
+    for (const posing::CurvePoint& point : curve.points) {
+      geometry::ModelPoint p(0);
+      for (std::size_t k = 0; k < point.vertex.size(); ++k) p += places[point.vertex[k]] * point.weight[k];
+      const auto px = camera.project(p);
+      if (!px) return {};
+      one.px.push_back(*px);
+    }
+    const Part part = part_named(curve.name);
+    if (part == Part::eye) one.feature = has_word(curve.name, "lower") ? Feature::lower_lid : Feature::upper_lid;
+    if (part == Part::mouth) one.feature = has_word(curve.name, "lower") ? Feature::lower_lip : Feature::upper_lip;
+    if (part == Part::brow) one.feature = Feature::brow;
+    if (part == Part::mouth) mouth.insert(mouth.end(), one.px.begin(), one.px.end());
+    face.seen_.push_back(std::move(one));
+  }
+  // Sides by the middle of all that has two.
+  Ends all;
+  for (const Seen& one : face.seen_) {
+    if (one.feature != Feature::other) all.add(middle_of(one.px).x);
+  }
+  for (Seen& one : face.seen_) {
+    one.right = middle_of(one.px).x > all.middle();
+    const bool eye = one.feature == Feature::upper_lid || one.feature == Feature::lower_lid;
+    if (eye) eyes[one.right ? 1 : 0].insert(eyes[one.right ? 1 : 0].end(), one.px.begin(), one.px.end());
+  }
+  if (eyes[0].empty() || eyes[1].empty() || mouth.empty()) return {};
+  const auto center = [](const std::vector<PxPoint>& points) {
+    PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
+    for (const PxPoint& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return (low + high) * 0.5;
+  };
+  const PxPoint left = center(eyes[0]);
+  const PxPoint right = center(eyes[1]);
+  if (!(right.x > left.x)) return {};
+  face.layout_.middle = (left + right) * 0.5;
+  face.layout_.along = right - left;
+  for (Seen& one : face.seen_) {
+    for (const PxPoint& p : one.px) one.points.push_back(face.layout_.in_frame(p));
+  }
+  face.measure_features();
+  return face;
+}
+
+const ModelFace::Seen* ModelFace::seen(Feature feature, bool right) const {
+  const bool sides = feature == Feature::brow || feature == Feature::upper_lid || feature == Feature::lower_lid;
+  const Seen* best = nullptr;
+  for (std::size_t c = 0; c < seen_.size(); ++c) {
+    const Seen& one = seen_[c];
+    if (one.feature != feature || (sides && one.right != right)) continue;
+    // Of lips, the border of the opening.
+    if (best == nullptr || has_word(curves_[c].name, "inner")) best = &one;
+  }
+  return best;
+}
+
+void ModelFace::measure_features() {
+  FaceLayout drawn = layout_;
+  const auto add = [&](const Seen* one, FacePart part) {
+    if (one == nullptr) return;
+    FaceMark mark;
+    mark.points = one->points;
+    mark.low = {1e300, 1e300};
+    mark.high = {-1e300, -1e300};
+    for (const PxPoint& p : mark.points) {
+      mark.low = {std::min(mark.low.x, p.x), std::min(mark.low.y, p.y)};
+      mark.high = {std::max(mark.high.x, p.x), std::max(mark.high.y, p.y)};
+    }
+    mark.part = part;
+    mark.right = one->right;
+    drawn.marks.push_back(std::move(mark));
+  };
+  for (const bool right : {false, true}) {
+    add(seen(Feature::brow, right), FacePart::brow);
+    add(seen(Feature::upper_lid, right), FacePart::eye);
+    add(seen(Feature::lower_lid, right), FacePart::eye);
+  }
+  add(seen(Feature::upper_lip, false), FacePart::mouth);
+  add(seen(Feature::lower_lip, false), FacePart::mouth);
+  measures_ = measure(drawn);
+}
+
+std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression) const {
+  std::vector<intent::DrawnCurve> out;
+  Ends mouth;
+  for (const Seen& one : seen_) {
+    if (one.feature != Feature::upper_lip && one.feature != Feature::lower_lip) continue;
+    for (const PxPoint& p : one.points) mouth.add(p.x);
+  }
+  for (std::size_t c = 0; c < seen_.size(); ++c) {
+    const Seen& one = seen_[c];
+    const std::size_t side = one.right ? 1 : 0;
+    std::vector<PxPoint> target = one.points;
+    const Ends ends = ends_of(one.points);
+    switch (one.feature) {
+      case Feature::brow: {
+        if (!expression.brows[side]) continue;
+        const Expression::Brow& brow = *expression.brows[side];
+        for (PxPoint& p : target) {
+          // From 0 at the inner end to 1 at the outer one, which hardly moves with the tilt.
+          const double s = ends.width() > 0 ? (one.right ? p.x - ends.low : ends.high - p.x) / ends.width() : 0;
+          p.y -= brow.raised + brow.tilted * (s - k_tilt_pivot) * ends.width();
+        }
+        break;
+      }
+      case Feature::upper_lid: {
+        const Seen* lower = seen(Feature::lower_lid, one.right);
+        if (!expression.closed[side] || lower == nullptr) continue;
+        for (PxPoint& p : target) p.y += *expression.closed[side] * (height_at(lower->points, p.x) - p.y);
+        break;
+      }
+      case Feature::upper_lip:
+      case Feature::lower_lip: {
+        if (!expression.mouth) continue;
+        const double w = mouth.width();
+        const double share = one.feature == Feature::upper_lip ? -k_upper_of_gap : 1 - k_upper_of_gap;
+        for (PxPoint& p : target) {
+          const double t = w > 0 ? std::clamp((p.x - mouth.middle()) / (0.5 * w), -1.0, 1.0) : 0;
+          const double corner = expression.mouth->corners[t > 0 ? 1 : 0];
+          p.y += (share * expression.mouth->opened * (1 - t * t) - corner * t * t) * w;
+          if (one.feature == Feature::upper_lip) p.y -= expression.mouth->sneered * (1 - t * t) * w;
+          p.x += 0.5 * w * t * expression.mouth->widened;
+        }
+        break;
+      }
+      case Feature::lower_lid:
+      case Feature::other:
+        continue;
+    }
+    intent::DrawnCurve line{curves_[c].points, camera_, {}, 0, {}};
+    for (const PxPoint& p : target) line.target.push_back(layout_.on_sheet(p));
+    line.doubt_px = std::max(0.1, k_sketch_doubt * std::sqrt(geometry::dot(layout_.along, layout_.along)));
+    out.push_back(std::move(line));
+  }
+  return out;
+}
+
+std::optional<std::size_t> ModelFace::curve_of(FacePart part, bool right, bool lower) const {
+  const Seen* one = nullptr;
+  if (part == FacePart::brow) one = seen(Feature::brow, right);
+  if (part == FacePart::eye) one = seen(lower ? Feature::lower_lid : Feature::upper_lid, right);
+  if (part == FacePart::mouth) one = seen(lower ? Feature::lower_lip : Feature::upper_lip, false);
+  if (one == nullptr) return {};
+  return static_cast<std::size_t>(one - seen_.data());
+}
+
+}  // namespace penpose::portrait
