@@ -21,16 +21,14 @@ enum class Term : std::uint8_t {
               ///< its largest way near them) squared): an expression moves several places
   lone,       ///< units of a control that has no counterpart on the other side
   faint,      ///< log(usual way of the control that moves most / a unit's own)
-  fringe,     ///< log(usual way of a unit's field / largest way of the lines)
+  bears,      ///< of joints: the share of what shapes do that happens on what the joint carries, squared
   carried,    ///< of joints: elsewhere beyond what any joint carries
   axis,       ///< axes about which joints turn
   part,       ///< parts beyond the first of a control that is the sum of others
   crosses,    ///< how deep a control drives lips through each other, 0 to 1
   lopsided,   ///< how much a unit does on one side of what the lines ask for on both, 0 to 1
   against,    ///< cosine of two units' fields beyond a tenth against each other
-  twice,      ///< cosine of two units' fields beyond three tenths alike
   helper,     ///< how much a unit moves what another one moves already, 0 to 1
-  limit,      ///< units near an end of their range, 0 to 1 each
   share,      ///< squares of the controls' shares of their ranges
   tie,        ///< squares of the differences between the sides of a pair
   nothing,    ///< decades by which a line that moves nothing asks for more than a hand strays

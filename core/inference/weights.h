@@ -6,9 +6,8 @@
 
 namespace penpose::inference {
 
-/// A table of weights: the weight of each term, and the scales that the terms are measured with. The program has two
-/// tables. Somebody set the one in use by hand, on seven rigs; `tests/learn` writes the other one, which replaces it
-/// once it is nowhere worse.
+/// The table of weights: the weight of each term, and the scales that the terms are measured with. `tests/learn` writes
+/// it.
 struct Weights {
   Terms by;
   /// The scale of the evidence's logarithm: the squares of doubt that the hand alone leaves of a curve.
@@ -17,8 +16,6 @@ struct Weights {
   double asks_from = 18.0;
   /// `carried` grows where a joint moves more than this many times what is near the lines (squared).
   double carried_from = 8.0;
-  /// `limit` grows from this share of a range to its end.
-  double limit_from = 0.8;
   /// Replaces the weight of `share` once the controls are chosen, so that their values follow the lines.
   double settled_share = 0.2;
   /// `crosses` grows where a control pushes surfaces deeper into each other than this share of the size of what shapes
@@ -36,17 +33,17 @@ struct Weights {
   double spans = 0.6;
   /// The solver tries joints last that carry more than this many times what is near the curves (squared).
   double carries_more = 8.0;
-  /// If only such joints can move a line by this share of its way, the line poses them, whatever it spans. 0 turns
-  /// this off.
+  /// If only such joints can move a line by this share of its way, and no shape does anything on what they carry, the
+  /// line poses them, whatever it spans.
   double follows = 0.1;
-  /// The solver gives up a reading that leaves more than this share of the squares of every line.
-  double gives_up = 0.85;
+  /// A joint carries what shapes do if this share of it happens on what the joint carries.
+  double borne = 0.5;
   /// The solver matches this many readings of each round on their own, if they are above the best by less than
   /// `window`.
-  double rivals = 3.0;
-  double window = 6.0;
+  double rivals = 8.0;
+  double window = 8.0;
   /// The window offers readings that have at least this probability.
-  double offered = 6e-6;
+  double offered = 0.01;
   /// Two readings look alike if they differ by less than this share of what they move.
   double alike = 0.3;
   /// A choice makes the reading that it took the best one by this much energy.
@@ -62,9 +59,7 @@ struct Scale {
 };
 [[nodiscard]] std::span<const Scale> scales();
 
-/// Returns the table in use.
-[[nodiscard]] const Weights& hand_set_weights();
-/// Returns the learned table, which `penpose pose --preset map` uses.
+/// Returns the table.
 [[nodiscard]] const Weights& learned_weights();
 
 }  // namespace penpose::inference

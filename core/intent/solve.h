@@ -19,7 +19,7 @@ struct SolveOptions {
   std::size_t rivals = 6;          ///< other readings of limbs that are matched on their own before one is taken
   std::size_t most_units = 24;     ///< controls, pairs or joints that may move, at most
   std::size_t others = 0;          ///< of lines on faces: other readings that are kept beside the one taken, at most
-  const inference::Weights* weights = &inference::hand_set_weights();
+  const inference::Weights* weights = &inference::learned_weights();
 };
 
 /// Another way to read lines on a face.

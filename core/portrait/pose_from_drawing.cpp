@@ -1,6 +1,7 @@
 #include "core/portrait/pose_from_drawing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/portrait/sketch/model_face.h"
 #include "core/portrait/sketch/pose_from_sketch.h"
@@ -30,6 +31,13 @@ bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const
   return contradicts(drawn, posed->measures(), rest->measures());
 }
 
+/// Whether somebody drew this very model, as far as their drawing of its face at rest tells.
+bool of_this_model(const FaceView& face, const Drawing& drawing) {
+  if (drawing.neutral.empty() || drawing.in_view) return true;
+  const auto rest = read_drawing(face, {drawing.neutral, {}, false, drawing.given_neutral, {}});
+  return !rest || rest->of_this_face;
+}
+
 }  // namespace
 
 base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::WholeModel& whole,
@@ -38,8 +46,14 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
                                           std::span<const std::size_t> free) {
   const auto face = FaceView::make(rig, whole, curves, start, free, camera);
   if (!face) return face.error();
+  for (const auto& [lines, sheet] :
+       {std::pair{&drawing.lines, "drawing"}, std::pair{&drawing.neutral, "neutral drawing"}}) {
+    if (lines == &drawing.neutral && lines->empty()) continue;
+    if (auto status = check_lines(*lines, sheet); !status) return status.error();
+  }
   DrawnPose out;
-  if (drawing.lines.size() <= k_most_lines) {
+  const bool few = drawing.lines.size() <= k_most_lines && drawing.neutral.size() <= k_most_lines;
+  if (few && of_this_model(*face, drawing)) {
     auto read = read_drawing(*face, drawing);
     if (!read) return read.error();
     out.read = std::move(*read);
@@ -51,7 +65,15 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
   }
   auto sketched = pose_from_sketch(rig, whole, curves, drawing, camera, start, free);
   if (!sketched) return sketched.error();
-  const bool of_model = drawing.lines.size() <= k_most_lines && out.read.of_this_face;
+  if (out.pose.empty()) {
+    out.pose = start;
+    out.read.of_this_face = false;
+    out.read.lines.resize(drawing.lines.size());
+    out.read.neutral.resize(drawing.neutral.size());
+    out.read.shares.assign(face->controls().size(), 0.0);
+    out.read.proportions.assign(face->proportion_count(), 0.0);
+  }
+  const bool of_model = few && out.read.of_this_face;
   if (!*sketched || (of_model && !shows_else(rig, curves, **sketched, out.pose, start, camera))) return out;
   out.pose = std::move((*sketched)->pose);
   out.read.lines = std::move((*sketched)->lines);

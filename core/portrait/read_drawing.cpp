@@ -21,17 +21,13 @@ base::Result<Sheet> sheet_of(std::span<const DrawnLine> lines, const char* sheet
     return base::Error{std::to_string(lines.size()) + " lines are more than the 60 of a face", sheet,
                        "draw fewer, longer lines"};
   }
+  if (auto status = check_lines(lines, sheet); !status) return status.error();
   PxPoint low{1e300, 1e300}, high{-1e300, -1e300};
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string place = std::string(sheet) + ", line " + std::to_string(i);
-    for (const PxPoint& p : lines[i]) {
-      if (!(std::abs(p.x) < 1e9 && std::abs(p.y) < 1e9))
-        return base::Error{"a point is not on a sheet", place, "use numbers of px"};
+  for (const DrawnLine& line : lines) {
+    for (const PxPoint& p : line) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    if (lines[i].size() < 2 || !(curve::arc_length<PxPoint>(lines[i]) > 0.0))
-      return base::Error{"a line has no length", place, "leave dots out"};
   }
   const PxPoint size = high - low;
   return Sheet{(low + high) * 0.5, k_face_px / std::sqrt(size.x * size.x + size.y * size.y)};
@@ -145,6 +141,25 @@ constexpr Hand k_known_hand{0.005, 1.3};
 constexpr double k_like_this_face = 18.5;
 
 }  // namespace
+
+base::Status check_lines(std::span<const DrawnLine> lines, const char* sheet) {
+  if (lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};
+  if (lines.size() > k_most_drawn_lines) {
+    return base::Error{std::to_string(lines.size()) + " lines are more than the " +
+                           std::to_string(k_most_drawn_lines) + " of a drawing",
+                       sheet, "draw fewer, longer lines"};
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string place = std::string(sheet) + ", line " + std::to_string(i);
+    for (const PxPoint& p : lines[i]) {
+      if (!(std::abs(p.x) < 1e9 && std::abs(p.y) < 1e9))
+        return base::Error{"a point is not on a sheet", place, "use numbers of px"};
+    }
+    if (lines[i].size() < 2 || !(curve::arc_length<PxPoint>(lines[i]) > 0.0))
+      return base::Error{"a line has no length", place, "leave dots out"};
+  }
+  return base::Done{};
+}
 
 base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing) {
   if (drawing.lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -13,6 +14,8 @@
 
 namespace penpose::portrait {
 
+/// Lines of a drawing at most, and of one that can be compared with a face line by line.
+inline constexpr std::size_t k_most_drawn_lines = 400;
 inline constexpr std::size_t k_most_lines = 60;
 
 /// A line of a drawing, px of the sheet, x to the right, y down. At least two points, not all at one place.
@@ -40,6 +43,10 @@ struct LineRead {
   bool reversed = false;             ///< drawn from its end to its beginning
   std::optional<std::size_t> lower;  ///< the curve of the lower half of a line that is drawn around
 };
+
+/// Errors (place: the sheet and its line): no lines, more than k_most_drawn_lines, lines without length, numbers that are
+/// not finite.
+[[nodiscard]] base::Status check_lines(std::span<const DrawnLine> lines, const char* sheet);
 
 struct DrawingRead {
   std::vector<double> shares;   ///< one a control of the face

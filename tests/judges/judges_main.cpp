@@ -27,7 +27,6 @@ constexpr const char* k_usage =
     "usage: judges [--short] [--own] [--only MEASURE]... [--rig NAME]... [--json OUT] [--details FOLDER]\n"
     "              [--about NAME=TEXT]... [--bounds FILE | --tighten FILE]\n"
     "  --short           a part of the cases of the project's own rigs, for the ordinary tests; implies --own\n"
-    "  --map             lines on faces by the learned weights\n"
     "  --own             without the shared models\n"
     "  --json OUT        writes the table\n"
     "  --details FOLDER  writes every case into FOLDER/seen, FOLDER/held_out and FOLDER/shared\n"
@@ -50,10 +49,6 @@ bool parse(int count, char** words, Arguments& arguments) {
     if (word == "--short" || word == "--own") {
       arguments.wanted.shared = false;
       if (word == "--short") arguments.wanted.extent = Extent::brief;
-      continue;
-    }
-    if (word == "--map") {
-      Solver::weights() = &inference::learned_weights();
       continue;
     }
     if (word == "--list") {

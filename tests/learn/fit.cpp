@@ -85,7 +85,7 @@ bool tells(const LearnCase& one) {
          !std::all_of(one.candidates.begin(), one.candidates.end(), right);
 }
 
-double loss_of(const std::vector<LearnCase>& cases, const Terms& by, const Belief& belief, Slope* slope) {
+double loss_of(const std::vector<LearnCase>& cases, const Terms& by, const Widths& widths, Slope* slope) {
   double loss = 0;
   for (const LearnCase& one : cases) {
     if (!tells(one)) continue;
@@ -94,9 +94,9 @@ double loss_of(const std::vector<LearnCase>& cases, const Terms& by, const Belie
     if (slope != nullptr) add_slope(one, p, *slope);
   }
   for (std::size_t k = 0; k < k_term_count; ++k) {
-    const double width = belief.width.values()[k];
+    const double width = widths.values()[k];
     if (width == 0.0) continue;
-    const double share = (by.values()[k] - belief.mean.values()[k]) / width;
+    const double share = by.values()[k] / width;
     loss += 0.5 * share * share;
     if (slope == nullptr) continue;
     slope->first[k] += share / width;
@@ -125,17 +125,17 @@ Score score(const std::vector<LearnCase>& cases, const Terms& by) {
   return out;
 }
 
-Terms fit(const std::vector<LearnCase>& cases, Terms by, const Belief& belief) {
+Terms fit(const std::vector<LearnCase>& cases, Terms by, const Widths& widths) {
   constexpr int k_steps = 60;
-  double loss = loss_of(cases, by, belief, nullptr);
+  double loss = loss_of(cases, by, widths, nullptr);
   double damping = 1e-3;
   for (int step = 0; step < k_steps; ++step) {
     Slope slope;
-    loss_of(cases, by, belief, &slope);
+    loss_of(cases, by, widths, &slope);
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < k_term_count; ++k) {
       const bool held = by.values()[k] <= 0.0 && slope.first[k] > 0.0;
-      if (belief.width.values()[k] != 0.0 && !held) free.push_back(k);
+      if (widths.values()[k] != 0.0 && !held) free.push_back(k);
     }
     const std::size_t n = free.size();
     bool better = false;
@@ -151,7 +151,7 @@ Terms fit(const std::vector<LearnCase>& cases, Terms by, const Belief& belief) {
         algebra::solve_factored(matrix.data(), n, right.data());
         Terms trial = by;
         for (std::size_t i = 0; i < n; ++i) trial.values()[free[i]] = std::max(0.0, by.values()[free[i]] + right[i]);
-        const double there = loss_of(cases, trial, belief, nullptr);
+        const double there = loss_of(cases, trial, widths, nullptr);
         if (there < loss) {
           better = true;
           const bool settled = loss - there < 1e-6 * loss;

@@ -30,19 +30,16 @@ struct Score {
 };
 [[nodiscard]] Score score(const std::vector<LearnCase>& cases, const inference::Terms& by);
 
-/// What is believed of weights before a case is seen: a normal distribution each. Where `width` is 0, the weight stays
-/// as it is.
-struct Belief {
-  inference::Terms mean;
-  inference::Terms width;
-};
+/// Which weights are learned, and how strongly each is held near 0: one width a term, in units of the weight; 0: it
+/// stays as it is.
+using Widths = inference::Terms;
 
 /// Maximum conditional likelihood (Taskar, Guestrin and Koller 2004), with a share of labels that may be wrong:
 /// minimises the sum over cases of
 ///   -log [ 0.98 p + 0.02 ],   p = sum over right readings exp(-E) / sum over all readings exp(-E),   E = by . terms
-/// plus half the squares of what weights are off their means, over widths. No weight is negative. Newton steps from
-/// `by`, each on a convex bound (Yuille and Rangarajan, "The concave-convex procedure", 2003); it is not convex where
-/// several are right, so the start matters.
-[[nodiscard]] inference::Terms fit(const std::vector<LearnCase>& cases, inference::Terms by, const Belief& belief);
+/// plus half the squares of weights over widths. No weight is negative. Newton steps from `by`, each on a convex bound
+/// (Yuille and Rangarajan, "The concave-convex procedure", 2003); it is not convex where several are right, so the
+/// start matters.
+[[nodiscard]] inference::Terms fit(const std::vector<LearnCase>& cases, inference::Terms by, const Widths& widths);
 
 }  // namespace penpose::learn

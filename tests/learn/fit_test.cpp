@@ -23,10 +23,10 @@ Terms evidence_alone() {
   return by;
 }
 
-Belief unit_alone() {
-  Belief belief;
-  belief.width[Term::unit] = 10;
-  return belief;
+Widths unit_alone() {
+  Widths widths;
+  widths[Term::unit] = 10;
+  return widths;
 }
 
 TEST(Fit, FindsTheWeightThatMakesRightReadingsLikely) {

@@ -27,6 +27,8 @@ constexpr double k_made_with_care = 4.0;
 constexpr std::size_t k_parts = 8;
 /// How strongly weights are held near 0.
 constexpr double k_width = 8.0;
+/// Weights before anything is learned.
+constexpr double k_first = 4.0;
 
 constexpr const char* k_usage =
     "usage: learn [--rounds N] [--set SCALE=VALUE]... [-o TABLE.cpp]\n"
@@ -34,22 +36,10 @@ constexpr const char* k_usage =
     "  --set ...     another value of a scale of the table, such as reach=8\n"
     "  -o TABLE.cpp  writes the table, core/inference/learned_weights.cpp\n";
 
-/// Scales without the rules that the energy makes unnecessary, and with a longer look.
-inference::Weights without_rules() {
-  inference::Weights weights;
-  weights.follows = 0;
-  weights.gives_up = 1e6;
-  weights.rivals = 8;
-  weights.window = 8;
-  weights.offered = 0.01;
-  return weights;
-}
-
 struct Arguments {
   int rounds = 4;
-  double strength = 1;
   std::string table;
-  inference::Weights weights = without_rules();
+  inference::Weights weights;
 };
 
 bool set_scale(const std::string& text, inference::Weights& weights) {
@@ -67,8 +57,6 @@ bool parse(int count, char** words, Arguments& arguments) {
     const std::string word = words[i];
     if (word == "--rounds") {
       arguments.rounds = std::stoi(words[i + 1]);
-    } else if (word == "--strength") {
-      arguments.strength = std::stod(words[i + 1]);
     } else if (word == "-o") {
       arguments.table = words[i + 1];
     } else if (word != "--set" || !set_scale(words[i + 1], arguments.weights)) {
@@ -78,18 +66,25 @@ bool parse(int count, char** words, Arguments& arguments) {
   return count % 2 == 1 && arguments.rounds > 0;
 }
 
-/// Terms that are not learned have no width. `part` is one of them: whether an artist means an open jaw or the vowel
-/// that opens it as far, no generated face tells.
-Belief belief_of(double strength) {
-  Belief belief;
-  belief.mean = inference::hand_set_weights().by;
-  for (std::size_t k = 0; k < k_term_count; ++k) {
-    const double mean = belief.mean.values()[k];
-    belief.width.values()[k] = (mean > 0 ? 0.5 * mean : k_width) / strength;
-  }
-  for (const Term fixed : {Term::evidence, Term::taught, Term::leaning, Term::one_end, Term::part})
-    belief.width[fixed] = 0;
-  return belief;
+/// Terms that are not learned have no width: joints that lean and lines that are read from their other end are not
+/// cases of faces.
+Widths widths_of() {
+  Widths widths;
+  for (double& width : widths.values()) width = k_width;
+  for (const Term fixed : {Term::evidence, Term::taught, Term::leaning, Term::one_end, Term::backwards})
+    widths[fixed] = 0;
+  return widths;
+}
+
+Terms first_weights() {
+  Terms by;
+  for (double& weight : by.values()) weight = k_first;
+  by[Term::evidence] = 1;
+  by[Term::taught] = 1;
+  by[Term::leaning] = 1;
+  // A line that goes far beyond one end of its curve is not that curve's.
+  by[Term::one_end] = 100;
+  return by;
 }
 
 std::vector<judges::Rig> rigs_to_learn_from() {
@@ -127,10 +122,10 @@ CasesOfRigs collect_all(const std::vector<judges::Rig>& rigs, const inference::W
 }
 
 /// The score of each rig by weights that were learned without its part.
-Score score_left_out(const CasesOfRigs& of_rigs, const Terms& from, const Belief& belief) {
+Score score_left_out(const CasesOfRigs& of_rigs, const Terms& from, const Widths& widths) {
   std::vector<Terms> of_parts(k_parts);
   tests::parallel_for(k_parts, 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t part = begin; part < end; ++part) of_parts[part] = fit(part_of(of_rigs, part, true), from, belief);
+    for (std::size_t part = begin; part < end; ++part) of_parts[part] = fit(part_of(of_rigs, part, true), from, widths);
   });
   Score sum;
   for (std::size_t r = 0; r < of_rigs.size(); ++r) {
@@ -175,18 +170,18 @@ bool write(const std::string& path, const inference::Weights& weights, const std
 
 int run(Arguments& arguments) {
   const std::vector<judges::Rig> rigs = rigs_to_learn_from();
-  const Belief belief = belief_of(arguments.strength);
+  const Widths widths = widths_of();
   std::vector<KnownReadings> known(rigs.size());
   inference::Weights& weights = arguments.weights;
-  weights.by = inference::hand_set_weights().by;
+  weights.by = first_weights();
   std::string figures;
   for (int round = 1; round <= arguments.rounds; ++round) {
     const CasesOfRigs of_rigs = collect_all(rigs, weights, known);
     const std::vector<LearnCase> all = part_of(of_rigs, k_parts, true);
     std::printf("round %d: %zu cases\n  %s\n", round, all.size(), shown("as they are", score(all, weights.by)).c_str());
-    const Terms by = fit(all, weights.by, belief);
+    const Terms by = fit(all, weights.by, widths);
     const std::string learned = shown("learned", score(all, by));
-    const std::string left_out = shown("rigs left out", score_left_out(of_rigs, weights.by, belief));
+    const std::string left_out = shown("rigs left out", score_left_out(of_rigs, weights.by, widths));
     std::printf("  %s\n  %s\n", left_out.c_str(), learned.c_str());
     std::fflush(stdout);
     figures = "// " + left_out + ",\n// " + learned + ".\n";

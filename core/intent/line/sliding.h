@@ -87,6 +87,6 @@ class SlidingLine {
 /// gives the shape and is off from where it was meant.
 [[nodiscard]] std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line,
                                                 double near_px,
-                                                const inference::Weights& weights = inference::hand_set_weights());
+                                                const inference::Weights& weights = inference::learned_weights());
 
 }  // namespace penpose::intent

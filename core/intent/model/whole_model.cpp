@@ -104,6 +104,27 @@ std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields
   return out;
 }
 
+/// WholeModel::bears.
+std::vector<double> shares_borne(const ControlFields& fields, const std::vector<bool>& shapes,
+                                 std::span<const std::size_t> joint) {
+  std::vector<double> done(fields.places().size(), 0.0);  // by shapes, at each sample
+  double all = 0;
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    if (!shapes[p] || !(fields.square(p) > 0.0)) continue;
+    const ControlField field = fields.field(p);
+    for (std::size_t i = 0; i < field.samples.size(); ++i)
+      done[field.samples[i]] += square_of(field.ways[i]) / fields.square(p);
+    all += 1.0;
+  }
+  std::vector<double> borne(shapes.size(), 0.0);
+  for (std::size_t p = 0; p < borne.size() && all > 0.0; ++p) {
+    if (joint[p] == k_no_partner) continue;
+    for (const std::uint32_t sample : fields.field(p).samples) borne[p] += done[sample];
+    borne[p] /= all;
+  }
+  return borne;
+}
+
 }  // namespace
 
 WholeModel measure_whole_model(const rig::Rig& rig) {
@@ -172,6 +193,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
   whole.by_piece = turns_by_piece(fields, whole.pieces);
   whole.places = places_moved(fields, shapes);
+  whole.bears = shares_borne(fields, shapes, whole.joint);
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   whole.rest = std::make_shared<const std::vector<ModelPoint>>(rest.begin(), rest.end());

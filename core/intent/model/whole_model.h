@@ -37,6 +37,9 @@ struct WholeModel {
   std::shared_ptr<const ControlFields> fields;
   /// What shapes do where lips touch.
   std::shared_ptr<const Contacts> contacts;
+  /// For each control of a joint: the share of what shapes do that happens on what the joint carries, 0 to 1, each shape
+  /// counted alike; 0 of shapes.
+  std::vector<double> bears;
   /// Of how many others each control is the sum.
   std::vector<Composite> composites;
   /// For each vertex: the connected piece of the mesh that it belongs to. Empty if that is unknown.

@@ -192,9 +192,7 @@ Reading FaceSolver::read() {
     reader_.align(c, chosen);
   }
   matched_ = std::move(of_best);
-  // What comes hardly nearer is not what was meant.
-  // What comes hardly nearer is not what was meant.
-  return leaves_less(best.choice, reader_.weights().gives_up) ? best : matched({});
+  return best;
 }
 
 std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t count, double& probability) {

@@ -29,7 +29,7 @@ class Reader final : public Relations {
   /// Precondition: check_problem passed. Where nothing but joints that carry more than was drawn could follow the
   /// lines, those joints are meant, whatever the lines span (Weights::follows).
   [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                                 const inference::Weights& weights = inference::hand_set_weights());
+                                 const inference::Weights& weights = inference::learned_weights());
   Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const inference::Weights& weights,
          bool any_span = false);
 
@@ -188,7 +188,6 @@ class Reader final : public Relations {
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
     std::vector<double> ways;                ///< their lengths
-    double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
     double near_way = 0, distant_way = 0;    ///< the largest there, and far from the curves
     double mirrored_square = 0;              ///< near the mirror image of the curves alone

@@ -33,7 +33,16 @@ std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> refe
 }
 
 bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
-  if (any_span_ || chain.empty()) return !chain.empty();
+  if (chain.empty()) return false;
+  if (any_span_) {
+    // A brow does not speak for the head that carries what moves faces.
+    return std::any_of(chain.begin(), chain.end(), [&](std::size_t joint) {
+      for (std::size_t p = 0; p < whole_.joint.size(); ++p) {
+        if (whole_.joint[p] == joint && whole_.bears[p] > weights_.borne) return false;
+      }
+      return true;
+    });
+  }
   double largest = 0;
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
@@ -208,7 +217,6 @@ void Reader::measure_fields() {
     one.distant_way = std::sqrt(one.distant_way);
     double most = 0;
     for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
-    one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(usual / most)) : 1e3;
     one.usual_way = std::sqrt(usual);
     if (!turns(j) && most > 0.0) usual_way_ = std::max(usual_way_, one.usual_way);
   }
@@ -348,8 +356,8 @@ void Reader::settle(bool settled) {
 }
 
 void Reader::charge_face(Unit& unit, bool by_axes) const {
-  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, fringe = 1e3,
-         usual = 0;
+  double near = 0, near_way = 0, far = 0, distant = 0, mirrored = 0, turn = 0, scattered = 0, parts = 1, usual = 0,
+         bears = 0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
@@ -359,7 +367,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
     mirrored += fields_[v].mirrored_square;
     turn = std::max(turn, fields_[v].turn);
     scattered = std::max(scattered, fields_[v].scattered_way);
-    fringe = std::min(fringe, fields_[v].fringe);
+    bears = std::max(bears, whole_.bears[parameters_[v]]);
     usual = std::max(usual, fields_[v].usual_way);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
   }
@@ -380,7 +388,7 @@ void Reader::charge_face(Unit& unit, bool by_axes) const {
   if (unit.count == 1 && whole_.partner[parameters_[first]] == k_no_partner && !turns(unit.members[0]))
     terms[Term::lone] = 1.0;
   if (usual > 0.0) terms[Term::faint] = base::log(std::max(1.0, usual_way_ / usual));
-  terms[Term::fringe] = base::log(fringe);
+  terms[Term::bears] = bears * bears;
   terms[Term::part] = parts - 1.0;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t p = parameters_[parameter_of(unit.members[m])];

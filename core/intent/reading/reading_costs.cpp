@@ -57,8 +57,7 @@ double ReadingCosts::cost_of_relations(std::span<const std::size_t> units, std::
   double helps = 0;
   for (const std::size_t other : units) {
     const double like = likeness(other, unit);
-    sum +=
-        weights_.by[Term::against] * std::max(0.0, -like - 0.1) + weights_.by[Term::twice] * std::max(0.0, like - 0.3);
+    sum += weights_.by[Term::against] * std::max(0.0, -like - 0.1);
     helps = std::max(helps, overlap(other, unit));
   }
   return sum + weights_.by[Term::helper] * helps;
@@ -69,7 +68,6 @@ void ReadingCosts::add_relations(std::span<const std::size_t> units, std::size_t
   for (const std::size_t other : units) {
     const double like = likeness(other, unit);
     terms[Term::against] += std::max(0.0, -like - 0.1);
-    terms[Term::twice] += std::max(0.0, like - 0.3);
     helps = std::max(helps, overlap(other, unit));
   }
   terms[Term::helper] += helps;
@@ -117,26 +115,13 @@ std::vector<std::size_t> ReadingCosts::units_besides(std::vector<std::size_t> un
 
 double ReadingCosts::costs_for(const Choice& choice, std::size_t group) const {
   const auto without_nothing = [&](const Choice& one) {
-    return costs_of(one) + limit_costs(one) - cost_of_nothing(one.units);
+    return costs_of(one) - cost_of_nothing(one.units);
   };
   Choice others = choice;
   others.units = units_besides(choice.units, group);
   const auto moves_it = [&](std::size_t u) { return moves(u, group); };
   const bool nothing = std::none_of(choice.units.begin(), choice.units.end(), moves_it);
   return without_nothing(choice) - without_nothing(others) + (nothing ? cost_of_nothing(group) : 0.0);
-}
-
-double ReadingCosts::limit_costs(const Choice& choice) const { return weights_.by[Term::limit] * limits_of(choice); }
-
-double ReadingCosts::limits_of(const Choice& choice) const {
-  double sum = 0;
-  for (const std::size_t u : choice.units) {
-    double most = 0;
-    for (const std::size_t v : members_of(choices_.units[u]))
-      most = std::max(most, share_of_range(value_of(choice, v), v, choices_));
-    sum += std::max(0.0, (most - weights_.limit_from) / (1.0 - weights_.limit_from));
-  }
-  return sum;
 }
 
 double ReadingCosts::stiffness_of(const Choice& choice) const {
@@ -184,7 +169,6 @@ inference::Terms ReadingCosts::terms_of(const Choice& choice) const {
     const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
     terms[Term::tie] += apart * apart;
   }
-  terms[Term::limit] = limits_of(choice);
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {
     const double square = choice.values[i] * choice.values[i];
     if (relations_.is_joint(choice.variables[i])) {

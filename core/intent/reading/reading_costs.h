@@ -28,7 +28,8 @@ class ReadingCosts final : public ChoiceCosts {
       : choices_(choices), weights_(weights), relations_(relations), asked_(asked) {}
 
   [[nodiscard]] double costs_of(const Choice& choice) const override;
-  [[nodiscard]] double limit_costs(const Choice& choice) const override;
+  /// Ends of ranges cost nothing.
+  [[nodiscard]] double limit_costs(const Choice&) const override { return 0.0; }
   /// Of the squares of its values.
   [[nodiscard]] double stiffness_of(const Choice& choice) const;
   /// Without those that move one group of curves and no other.
@@ -44,7 +45,7 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const inference::Weights& weights() const { return weights_; }
-  /// Returns the terms whose weighted sum is costs_of, limit_costs and stiffness_of together.
+  /// Returns the terms whose weighted sum is costs_of and stiffness_of together.
   [[nodiscard]] inference::Terms terms_of(const Choice& choice) const;
 
  private:
@@ -58,8 +59,6 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double cost_of_nothing(std::size_t group) const;
   /// Returns by how many decades a group asks for more than a hand strays.
   [[nodiscard]] double decades_asked(std::size_t group) const;
-  /// Returns the sum over units of how near each is to an end of its range, 0 to 1.
-  [[nodiscard]] double limits_of(const Choice& choice) const;
   /// Returns the units of a choice that move anything noticeable.
   [[nodiscard]] std::vector<std::size_t> moving(const Choice& choice) const;
   [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;

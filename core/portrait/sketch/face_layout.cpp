@@ -259,7 +259,10 @@ std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines)
   }
   if (!best) return best;
   best = refined(marks, *best);
-  if (best->cost >= k_unknown_cost) return std::nullopt;
+  const bool has_mouth = std::any_of(best->marks.begin(), best->marks.end(), [](const FaceMark& mark) {
+    return mark.part == FacePart::mouth && mark.cost < k_most_mouth_cost;
+  });
+  if (!has_mouth || best->cost >= k_unknown_cost) return std::nullopt;
   return best;
 }
 

@@ -23,6 +23,8 @@ struct PartHabit {
 
 inline constexpr double k_least_size = 0.02;
 inline constexpr double k_unknown_cost = 5.5;
+/// A line that is less likely than this makes no mouth of a face.
+inline constexpr double k_most_mouth_cost = 3.25;
 inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
@@ -90,7 +92,7 @@ inline constexpr double k_upper_of_gap = 0.2;
 /// How far what is meant strays from what a sketch shows, of the distance of the eyes.
 inline constexpr double k_sketch_doubt = 0.025;
 /// Drawings whose lines cost more than this, on the mean, are no faces.
-inline constexpr double k_most_cost = 3.65;
+inline constexpr double k_most_cost = 3.3;
 /// Doubt where the same hand drew the face at rest, and where the model's own features are those at rest.
 inline constexpr double k_same_hand = 0.6, k_over_face = 0.6;
 

@@ -7,6 +7,7 @@
 
 #include "core/character/demo_head.h"
 #include "core/document/features/feature_curves.h"
+#include "tests/core/portrait/drawn_face.h"
 #include "tests/support/random.h"
 
 // Drawings of known poses of the built-in head, by an unsteady hand.
@@ -239,6 +240,28 @@ TEST_F(DrawingOfTheHead, WhatIsNoFeatureIsSaidAndMovesNothing) {
   ASSERT_TRUE(read);
   EXPECT_FALSE(read->read.lines.back().curve);
   EXPECT_EQ(read->pose, rig::rest_pose(rig()));
+}
+
+TEST_F(DrawingOfTheHead, AFaceOfAFewLinesIsReadAsPeopleReadIt) {
+  const auto moved = [&](const DrawnFace& drawn, const char* control) {
+    const auto read = this->read({drawn.lines(), {}});
+    EXPECT_TRUE(read);
+    return read ? read->pose[rig::find_parameter(rig().parameters(), control).value()] : 0.0;
+  };
+  DrawnFace smile;
+  smile.smile = 16;
+  EXPECT_GT(moved(smile, "mouth_corner_L"), 0.3);
+  EXPECT_GT(moved(smile, "mouth_corner_R"), 0.3);
+  DrawnFace sad;
+  sad.brow_inner = {20, 20};
+  EXPECT_GT(moved(sad, "brow_inner_L"), 0.3);
+  DrawnFace wink;
+  wink.shut[1] = true;  // at the right of the picture, the face's left
+  EXPECT_GT(moved(wink, "blink_L"), 0.6);
+  EXPECT_LT(moved(wink, "blink_R"), 0.1);
+  const auto rest = this->read({DrawnFace{}.lines(), {}});
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->pose, rig::rest_pose(rig()));
 }
 
 TEST_F(DrawingOfTheHead, AHouseAndAScribbleMoveNothingWildly) {

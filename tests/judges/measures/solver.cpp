@@ -29,11 +29,6 @@ Answer timed(const Solve& solve) {
 
 }  // namespace
 
-const inference::Weights*& Solver::weights() {
-  static const inference::Weights* table = &inference::hand_set_weights();
-  return table;
-}
-
 Solver::Solver(const document::Model& model, const io::CaseFile& file)
     : model_(model), whole_(intent::measure_whole_model(*model.rig)), hand_(tracking::hand_doubt(model, file)) {}
 
@@ -41,7 +36,6 @@ Answer Solver::meant(const io::PoseCase& one, io::TargetForm form) {
   const auto problem = tracking::intent_of_case(model_, one, tracking::FreeSet::all, form, hand_);
   if (!problem) return refused(problem.error());
   intent::SolveOptions options;
-  options.weights = weights();
   return timed([&] { return intent::solve(*model_.rig, whole_, *problem, options, meant_work_); });
 }
 
@@ -51,7 +45,6 @@ std::vector<rig::Pose> Solver::others(const io::PoseCase& one, io::TargetForm fo
   if (!problem) return poses;
   intent::SolveOptions options;
   options.others = k_offered_at_most;
-  options.weights = weights();
   const auto solution = intent::solve(*model_.rig, whole_, *problem, options, meant_work_);
   if (!solution) return poses;
   for (const intent::OtherReading& other : solution->others) poses.push_back(other.pose);

@@ -28,10 +28,6 @@ class Solver {
   /// The least sum of distances, vertex i to target i (the preset `exact`).
   [[nodiscard]] Answer exact(const io::PoseCase& one);
 
-  /// The table of weights that lines on faces are read by: that of the default preset, or of `map`. Set it before any
-  /// rig is judged.
-  static const inference::Weights*& weights();
-
  private:
   const document::Model& model_;
   intent::WholeModel whole_;

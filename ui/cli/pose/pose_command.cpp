@@ -31,7 +31,7 @@ using json::Json;
 constexpr std::size_t k_others = 4;
 
 /// Which energy is minimised.
-enum class Preset : std::uint8_t { meant, map, exact, paper };
+enum class Preset : std::uint8_t { meant, exact, paper };
 
 struct PoseArguments {
   io::WriteOptions glb;
@@ -88,12 +88,11 @@ auto timed(const io::PoseCase& pose_case, double& median_us, const Solve& solve)
 
 base::Result<SolvedCase> solve_case(const document::Model& model, const io::PoseCase& pose_case,
                                     const PoseArguments& arguments, Solvers& solvers) {
-  SolvedCase solved{pose_case.name, {}, 0, std::nullopt, &inference::hand_set_weights(), {}};
-  if (arguments.preset == Preset::meant || arguments.preset == Preset::map) {
+  SolvedCase solved{pose_case.name, {}, 0, std::nullopt, &inference::learned_weights(), {}};
+  if (arguments.preset == Preset::meant) {
     const auto problem = tracking::intent_of_case(model, pose_case, arguments.free, arguments.form, solvers.hand);
     if (!problem) return problem.error();
     intent::SolveOptions options;
-    if (arguments.preset == Preset::map) options.weights = &inference::learned_weights();
     const auto solve = [&] { return intent::solve(*model.rig, solvers.whole, *problem, options, solvers.meant); };
     auto solution = timed(pose_case, solved.solve_us, solve);
     if (!solution) return solution.error();
@@ -208,7 +207,7 @@ int pose(const PoseArguments& arguments) {
   }
 
   Solvers solvers;
-  if (arguments.preset == Preset::meant || arguments.preset == Preset::map) {
+  if (arguments.preset == Preset::meant) {
     solvers.whole = intent::measure_whole_model(*model.rig);
     solvers.hand = tracking::hand_doubt(model, *file);
   }
@@ -268,14 +267,13 @@ void add_options(const Command& command, PoseArguments& arguments) {
           [&arguments](const std::string& preset) {
             arguments.preset = preset == "paper"   ? Preset::paper
                                : preset == "exact" ? Preset::exact
-                               : preset == "map"   ? Preset::map
                                                    : Preset::meant;
           },
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
-          "the controls that move cost. map: the same by weights that were learned, which are to take its place. "
+          "the controls that move cost. "
           "exact: the sum of distances, to its least. paper: the same, by the "
           "single simplex of 2006")
-      .one_of({"default", "map", "exact", "paper"});
+      .one_of({"default", "exact", "paper"});
   command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
   command.add_flag("--explain", arguments.explain,
                    "Print how the lines can be read and why the first reading wins (preset default, lines on faces)");

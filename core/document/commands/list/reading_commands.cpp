@@ -32,7 +32,7 @@ void remember(Document& document, const rig::Pose& other, const Moment::Other& t
            (one.taken == choice.instead_of && one.instead_of == choice.taken);
   };
   std::erase_if(all, between);
-  choice.by = std::min(k_most_taught, std::max(0.0, taken_one.above) + inference::hand_set_weights().taught_margin);
+  choice.by = std::min(k_most_taught, std::max(0.0, taken_one.above) + inference::learned_weights().taught_margin);
   all.push_back(std::move(choice));
   if (all.size() > k_most_taken) all.erase(all.begin());
   document.taken = std::make_shared<const std::vector<TakenReading>>(std::move(all));
