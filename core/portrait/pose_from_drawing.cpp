@@ -5,6 +5,7 @@
 
 #include "core/portrait/sketch/model_face.h"
 #include "core/portrait/sketch/pose_from_sketch.h"
+#include "core/portrait/sketch/pose_over_face.h"
 
 namespace penpose::portrait {
 
@@ -61,6 +62,12 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
     const Placement& on_face = out.read.placement;
     out.sheet = {on_face.along / face->scale(), on_face.across / face->scale(),
                  face->middle() + on_face.shift * (1.0 / face->scale())};
+    if (drawing.in_view && drawing.neutral.empty()) {
+      auto over = pose_over_face(rig, whole, curves, drawing, out.read.lines, camera, start, free);
+      if (!over) return over.error();
+      out.pose = std::move(*over);
+      return out;
+    }
     if (drawing.in_view || !drawing.neutral.empty()) return out;
   }
   auto sketched = pose_from_sketch(rig, whole, curves, drawing, camera, start, free);

@@ -23,6 +23,8 @@ constexpr double k_as_good = 10.0;
 constexpr double k_weight_of_known = 0.4;
 /// Lines that are drawn again where they are ask for nothing.
 constexpr double k_weight_of_still = 2.0;
+/// Lines that nothing is meant to follow: rarer here than among the faces that people have.
+constexpr double k_weight_of_none = 8.0;
 /// Gestures made by lot of a rig made by lot.
 constexpr std::size_t k_random_gestures = 60;
 
@@ -94,6 +96,7 @@ void collect_gestures(const Asked& asked, const inference::Weights& weights, Kno
     LearnCase one;
     one.rig = asked.name;
     one.name = "gesture " + gesture.asked.name;
+    if (gesture.still_is_right) one.weight = k_weight_of_none;
     for (const auto& reading : reads.read(gesture.asked, parameters_of(asked.model, allowed), known[one.name])) {
       Outcome outcome;
       judge.judge(gesture, reading.pose, outcome);

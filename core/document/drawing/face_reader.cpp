@@ -6,6 +6,7 @@
 
 #include "core/document/features/drawing_start.h"
 #include "core/portrait/pose_from_drawing.h"
+#include "core/portrait/sketch/pose_over_face.h"
 
 namespace penpose::document {
 namespace {
@@ -123,8 +124,17 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
       asked.given_neutral = std::move(neutral->given);
     }
   }
-  const auto read = portrait::read_drawing(**face, asked);
+  auto read = portrait::read_drawing(**face, asked);
   if (!read) return read.error();
+  rig::Pose posed = portrait::pose_of(*document.model->rig, **face, seen_->start, read->shares);
+  if (asked.neutral.empty()) {
+    const auto camera = geometry::Camera::make(drawing.view.camera, drawing.view.viewport);
+    if (!camera) return camera.error();
+    auto over = portrait::pose_over_face(*document.model->rig, whole, known->curves, asked, read->lines, *camera,
+                                         seen_->start, seen_->free);
+    if (!over) return over.error();
+    posed = std::move(*over);
+  }
   Read out{std::move(drawing), document.pose};
   // What was set since the last reading stays.
   const bool goes_on = out.drawing.rig == document.model->rig && out.drawing.base.size() == document.pose.size() &&
@@ -139,7 +149,6 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
   if (!goes_on) out.drawing.base = document.pose;
   out.drawing.rig = document.model->rig;
   const auto parameters = document.model->rig->parameters();
-  const rig::Pose posed = portrait::pose_of(*document.model->rig, **face, seen_->start, read->shares);
   const auto drawn = move_drawn(**face, read->lines);
   for (std::size_t j = 0; j < (*face)->controls().size(); ++j) {
     const std::size_t p = (*face)->controls()[j].parameter;

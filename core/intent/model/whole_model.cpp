@@ -104,6 +104,9 @@ std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields
   return out;
 }
 
+/// What goes this share of the largest way, squared, is moved by a shape.
+constexpr double k_moved_square = 0.01;
+
 /// WholeModel::bears.
 std::vector<double> shares_borne(const ControlFields& fields, const std::vector<bool>& shapes,
                                  std::span<const std::size_t> joint) {
@@ -112,9 +115,15 @@ std::vector<double> shares_borne(const ControlFields& fields, const std::vector<
   for (std::size_t p = 0; p < shapes.size(); ++p) {
     if (!shapes[p] || !(fields.square(p) > 0.0)) continue;
     const ControlField field = fields.field(p);
+    double most = 0;
+    for (const ModelVector& way : field.ways) most = std::max(most, square_of(way));
+    const auto moved = std::count_if(field.ways.begin(), field.ways.end(),
+                                     [&](const ModelVector& way) { return square_of(way) > k_moved_square * most; });
+    // A shape of the whole body says little of a part of it.
+    const double still = 1.0 - static_cast<double>(moved) / static_cast<double>(done.size());
     for (std::size_t i = 0; i < field.samples.size(); ++i)
-      done[field.samples[i]] += square_of(field.ways[i]) / fields.square(p);
-    all += 1.0;
+      done[field.samples[i]] += still * still * square_of(field.ways[i]) / fields.square(p);
+    all += still * still;
   }
   std::vector<double> borne(shapes.size(), 0.0);
   for (std::size_t p = 0; p < borne.size() && all > 0.0; ++p) {

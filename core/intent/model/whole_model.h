@@ -37,8 +37,8 @@ struct WholeModel {
   std::shared_ptr<const ControlFields> fields;
   /// What shapes do where lips touch.
   std::shared_ptr<const Contacts> contacts;
-  /// For each control of a joint: the share of what shapes do that happens on what the joint carries, 0 to 1, each shape
-  /// counted alike; 0 of shapes.
+  /// For each control of a joint: the share of what shapes do that happens on what the joint carries, 0 to 1, each
+  /// shape counted alike but those of the whole body; 0 of shapes.
   std::vector<double> bears;
   /// Of how many others each control is the sum.
   std::vector<Composite> composites;

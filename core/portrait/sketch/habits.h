@@ -91,6 +91,8 @@ inline constexpr double k_tilt_pivot = 0.75;
 inline constexpr double k_upper_of_gap = 0.2;
 /// How far what is meant strays from what a sketch shows, of the distance of the eyes.
 inline constexpr double k_sketch_doubt = 0.025;
+/// How far a hand strays that draws over a face, of the distance of the eyes.
+inline constexpr double k_hand_over_face = 0.0086;
 /// Drawings whose lines cost more than this, on the mean, are no faces.
 inline constexpr double k_most_cost = 3.3;
 /// Doubt where the same hand drew the face at rest, and where the model's own features are those at rest.

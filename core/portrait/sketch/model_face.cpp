@@ -208,4 +208,20 @@ std::optional<std::size_t> ModelFace::curve_of(FacePart part, bool right, bool l
   return static_cast<std::size_t>(one - seen_.data());
 }
 
+std::optional<std::size_t> ModelFace::other_border(std::size_t curve) const {
+  const Feature feature = seen_[curve].feature;
+  if (feature != Feature::upper_lip && feature != Feature::lower_lip) return {};
+  for (std::size_t c = 0; c < seen_.size(); ++c) {
+    if (c != curve && seen_[c].feature == feature) return c;
+  }
+  return {};
+}
+
+bool ModelFace::below_mouth(const PxPoint& p) const {
+  const Seen* lower = seen(Feature::lower_lip, false);
+  const Seen* upper = seen(Feature::upper_lip, false);
+  if (lower == nullptr || upper == nullptr) return false;
+  return p.y > 0.5 * (middle_of(lower->points).y + middle_of(upper->points).y);
+}
+
 }  // namespace penpose::portrait

@@ -28,6 +28,10 @@ class ModelFace {
 
   /// The curve that a part of a drawing stands for; none: the model has no such curve. `lower`: of lids and lips.
   [[nodiscard]] std::optional<std::size_t> curve_of(FacePart part, bool right, bool lower) const;
+  /// The other border of the same lip; none: the model has one alone, or the curve is no lip.
+  [[nodiscard]] std::optional<std::size_t> other_border(std::size_t curve) const;
+  /// Whether a place of the frame is below the line between the lips.
+  [[nodiscard]] bool below_mouth(const PxPoint& p) const;
 
  private:
   enum class Feature : unsigned char { brow, upper_lid, lower_lid, upper_lip, lower_lip, other };
