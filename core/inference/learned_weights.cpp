@@ -49,6 +49,7 @@ Weights learned_table() {
   w.carries_more = 8;
   w.follows = 0.1;
   w.borne = 0.5;
+  w.gives_up = 0.85;
   w.rivals = 8;
   w.window = 8;
   w.offered = 0.01;

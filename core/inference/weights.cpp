@@ -16,6 +16,7 @@ std::span<const Scale> scales() {
                                        Scale{"carries_more", &Weights::carries_more},
                                        Scale{"follows", &Weights::follows},
                                        Scale{"borne", &Weights::borne},
+                                       Scale{"gives_up", &Weights::gives_up},
                                        Scale{"rivals", &Weights::rivals},
                                        Scale{"window", &Weights::window},
                                        Scale{"offered", &Weights::offered},

@@ -38,6 +38,8 @@ struct Weights {
   double follows = 0.1;
   /// A joint carries what shapes do if this share of it happens on what the joint carries.
   double borne = 0.5;
+  /// The solver gives up a reading that leaves more than this share of the squares of every line.
+  double gives_up = 0.85;
   /// The solver matches this many readings of each round on their own, if they are above the best by less than
   /// `window`.
   double rivals = 8.0;

@@ -145,8 +145,8 @@ constexpr double k_like_this_face = 18.5;
 base::Status check_lines(std::span<const DrawnLine> lines, const char* sheet) {
   if (lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};
   if (lines.size() > k_most_drawn_lines) {
-    return base::Error{std::to_string(lines.size()) + " lines are more than the " +
-                           std::to_string(k_most_drawn_lines) + " of a drawing",
+    return base::Error{std::to_string(lines.size()) + " lines are more than the " + std::to_string(k_most_drawn_lines) +
+                           " of a drawing",
                        sheet, "draw fewer, longer lines"};
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {

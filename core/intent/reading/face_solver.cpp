@@ -192,7 +192,8 @@ Reading FaceSolver::read() {
     reader_.align(c, chosen);
   }
   matched_ = std::move(of_best);
-  return best;
+  // What comes hardly nearer is not what was meant.
+  return leaves_less(best.choice, reader_.weights().gives_up) ? best : matched({});
 }
 
 std::vector<OtherReading> FaceSolver::others(const Reading& taken, std::size_t count, double& probability) {

@@ -346,7 +346,8 @@ double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
 }
 
 double Reader::stiffness(bool settled) const {
-  return settled ? weights_.settled_share : std::max(weights_.settled_share, weights_.by[Term::share]);
+  const double share = weights_.by[Term::share];
+  return settled ? std::min(weights_.settled_share, share) : share;
 }
 
 void Reader::settle(bool settled) {

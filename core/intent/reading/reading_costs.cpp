@@ -114,9 +114,7 @@ std::vector<std::size_t> ReadingCosts::units_besides(std::vector<std::size_t> un
 }
 
 double ReadingCosts::costs_for(const Choice& choice, std::size_t group) const {
-  const auto without_nothing = [&](const Choice& one) {
-    return costs_of(one) - cost_of_nothing(one.units);
-  };
+  const auto without_nothing = [&](const Choice& one) { return costs_of(one) - cost_of_nothing(one.units); };
   Choice others = choice;
   others.units = units_besides(choice.units, group);
   const auto moves_it = [&](std::size_t u) { return moves(u, group); };

@@ -83,7 +83,7 @@ inline constexpr double k_half_open = 0.26;
 /// An eye that is opened less than this share of the other is partly shut.
 inline constexpr double k_unlike = 0.6;
 /// As far as faces go.
-inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k_most_corner = 0.25, k_most_open = 0.8,
+inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k_most_corner = 0.18, k_most_open = 0.8,
                         k_most_narrowed = 0.5, k_most_widened = 0.35;
 /// A brow tilts about this share of its length from the inner end.
 inline constexpr double k_tilt_pivot = 0.75;

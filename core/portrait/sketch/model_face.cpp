@@ -72,13 +72,14 @@ std::optional<ModelFace> ModelFace::see(const rig::Rig& rig, std::span<const Fea
     if (part == Part::eye) one.feature = has_word(curve.name, "lower") ? Feature::lower_lid : Feature::upper_lid;
     if (part == Part::mouth) one.feature = has_word(curve.name, "lower") ? Feature::lower_lip : Feature::upper_lip;
     if (part == Part::brow) one.feature = Feature::brow;
+    if (part == Part::nose) one.feature = Feature::nose;
     if (part == Part::mouth) mouth.insert(mouth.end(), one.px.begin(), one.px.end());
     face.seen_.push_back(std::move(one));
   }
   // Sides by the middle of all that has two.
   Ends all;
   for (const Seen& one : face.seen_) {
-    if (one.feature != Feature::other) all.add(middle_of(one.px).x);
+    if (one.feature != Feature::other && one.feature != Feature::nose) all.add(middle_of(one.px).x);
   }
   for (Seen& one : face.seen_) {
     one.right = middle_of(one.px).x > all.middle();
@@ -188,6 +189,7 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
         break;
       }
       case Feature::lower_lid:
+      case Feature::nose:
       case Feature::other:
         continue;
     }
@@ -202,6 +204,7 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
 std::optional<std::size_t> ModelFace::curve_of(FacePart part, bool right, bool lower) const {
   const Seen* one = nullptr;
   if (part == FacePart::brow) one = seen(Feature::brow, right);
+  if (part == FacePart::nose) one = seen(Feature::nose, false);
   if (part == FacePart::eye) one = seen(lower ? Feature::lower_lid : Feature::upper_lid, right);
   if (part == FacePart::mouth) one = seen(lower ? Feature::lower_lip : Feature::upper_lip, false);
   if (one == nullptr) return {};

@@ -34,7 +34,7 @@ class ModelFace {
   [[nodiscard]] bool below_mouth(const PxPoint& p) const;
 
  private:
-  enum class Feature : unsigned char { brow, upper_lid, lower_lid, upper_lip, lower_lip, other };
+  enum class Feature : unsigned char { brow, upper_lid, lower_lid, upper_lip, lower_lip, nose, other };
   struct Seen {
     Feature feature = Feature::other;
     bool right = false;           ///< of the picture

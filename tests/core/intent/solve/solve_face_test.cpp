@@ -14,37 +14,6 @@ using tests::fade;
 using tests::Line;
 using Moved = std::vector<std::size_t>;
 
-/// The mouth's line, its ends lifted by px and its middle where it is, drawn by a hand.
-Line smile(const Face& face, double px, std::uint64_t seed) {
-  Line line = face.seen(Face::mouth(), rig::rest_pose(*face.rig));
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const double x = 2.0 * static_cast<double>(i) / static_cast<double>(line.size() - 1) - 1.0;
-    line[i].y -= px * x * x;
-  }
-  return tests::shaken(line, 0.7, seed);
-}
-
-/// A smile that widens the mouth as it lifts its corners, cheeks that drag the corners along, and a nose above.
-Face mouth_face() {
-  Face face;
-  face.bump("smileLeft", -0.4, -0.4, {-0.08, 0.15, 0}, 0.5);
-  face.bump("smileRight", 0.4, -0.4, {0.08, 0.15, 0}, 0.5);
-  face.bump("cheekLeft", -0.6, -0.1, {-0.05, 0.2, 0.3}, 0.6);
-  face.bump("cheekRight", 0.6, -0.1, {0.05, 0.2, 0.3}, 0.6);
-  face.bump("nose", 0, 0.1, {0, 0.2, 0.1}, 0.6);
-  return face;
-}
-
-TEST(FaceLines, ASmileThatNoPoseMeetsIsTheSmileAlone) {
-  Face face = mouth_face();
-  face.ready();
-  const Moved meant{face.number("smileLeft"), face.number("smileRight")};
-  for (const double px : {12.0, 20.0, 35.0}) {
-    const Solution solution = face.solve(face.problem({face.drawn(Face::mouth(), smile(face, px, 3))}));
-    EXPECT_EQ(solution.moved, meant) << px;
-  }
-}
-
 TEST(FaceLines, TheHeadIsNotTurnedForABrow) {
   Face face;
   face.bump("browLeft", -0.4, 0.5, {0, 0.1, 0}).bump("browRight", 0.4, 0.5, {0, 0.1, 0});

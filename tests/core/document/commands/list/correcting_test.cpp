@@ -29,6 +29,10 @@ class DrawnSmile {
     const auto parameters = head_.document().model->rig->parameters();
     return head_.document().pose[*rig::find_parameter(parameters, name)];
   }
+  /// How far a corner of the mouth is up, by what lifts it and what pulls it down.
+  [[nodiscard]] double corner(const std::string& side) const {
+    return value("mouth_corner" + side) - value("mouth_frown" + side);
+  }
   [[nodiscard]] const rig::Pose& pose() const { return head_.document().pose; }
   [[nodiscard]] const std::vector<PxPoint>& line() const { return find_curve(head_.document(), k_mouth)->target->line; }
   void pull(PxPoint at, PxPoint by) {
@@ -70,9 +74,9 @@ TEST(Correcting, ACornerThatIsPulledUpOrDownMovesItsSideAlone) {
     const rig::Pose before = smile.pose();
     const PxPoint end = up ? smile.line().back() : smile.line().front();
     const std::string side = smile.side_at(end);
-    const double was = smile.value("mouth_corner" + side);
+    const double was = smile.corner(side);
     smile.pull(end, up ? PxPoint{4, -16} : PxPoint{0, 16});
-    const double moved = smile.value("mouth_corner" + side) - was;
+    const double moved = smile.corner(side) - was;
     EXPECT_GT(up ? moved : -moved, 0.15);
     EXPECT_LT(smile.changed_besides(before, side), 0.01);
   }
@@ -83,13 +87,13 @@ TEST(Correcting, APartThatIsRedrawnIsAPart) {
   const rig::Pose before = smile.pose();
   const auto line = smile.line();
   const std::string side = smile.side_at(line.back());
-  const double was = smile.value("mouth_corner" + side);
+  const double was = smile.corner(side);
   // From two thirds on it goes on flat.
   const PxPoint from = line[42];
   std::vector<PxPoint> flat;
   for (int i = 0; i <= 20; ++i) flat.push_back({from.x + (line.back().x - from.x) * i / 20, from.y});
   smile.draw_over(flat);
-  EXPECT_LT(smile.value("mouth_corner" + side), was - 0.1);
+  EXPECT_LT(smile.corner(side), was - 0.1);
   EXPECT_LT(smile.changed_besides(before, side), 0.01);
 }
 
