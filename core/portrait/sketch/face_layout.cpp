@@ -67,7 +67,10 @@ void label(FaceMark& mark) {
   mark.part = FacePart::unknown;
   mark.cost = within_face(mark) ? k_unknown_cost : k_around_cost;
   if (!within_face(mark)) mark.part = FacePart::around;
+  // A line that runs to and fro is no border of anything; brows are filled so.
+  const bool tangled = mark.length > k_tangled * (mark.size().x + mark.size().y);
   for (const PartHabit& habit : part_habits()) {
+    if (tangled && habit.part != FacePart::brow) continue;
     if (habit.form != LineForm::any && (habit.form == LineForm::closed) != mark.closed) continue;
     const double cost = cost_of(mark, habit);
     if (cost >= mark.cost) continue;

@@ -28,6 +28,8 @@ inline constexpr double k_most_mouth_cost = 3.25;
 inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
+/// A line that runs to and fro is longer than this many times its width and height together; a ring is 1.6 times.
+inline constexpr double k_tangled = 2.2;
 /// The distance of a straight line's ends is more than this share of its length.
 inline constexpr double k_straight = 0.995;
 inline constexpr double k_longer_than_mouth = 1.1;

@@ -298,9 +298,9 @@ TEST_F(DrawingOfTheHead, TheSameDrawingGivesTheSameBits) {
 TEST_F(DrawingOfTheHead, BadDrawingsAreRefusedInOneLine) {
   EXPECT_EQ(read({{}, {}}).error().line(), "the drawing has no lines; draw the features of the face");
   EXPECT_EQ(read({{{{1, 1}, {1, 1}}}, {}}).error().line(), "drawing, line 0: a line has no length; leave dots out");
-  const std::vector<DrawnLine> many(k_most_lines + 1, {{0, 0}, {1, 1}});
+  const std::vector<DrawnLine> many(k_most_drawn_lines + 1, {{0, 0}, {1, 1}});
   EXPECT_EQ(read({many, {}}).error().line(),
-            "drawing: 61 lines are more than the 60 of a face; draw fewer, longer lines");
+            "drawing: 401 lines are more than the 400 of a drawing; draw fewer, longer lines");
   EXPECT_EQ(read({{{{0, 0}, {1, 1}}}, {}, true, {1000}}).error().place, "given");
   EXPECT_EQ(read({{{{0, 0}, {1, 1}}}, {}, true, {0, 0}}).error().place, "given");
   const double nan = std::nan("");
