@@ -305,7 +305,7 @@ typedef struct penpose_line_read {
   int32_t reversed; /* 1: drawn from `to` to `from` */
 } penpose_line_read;
 
-/* Poses the face as a drawing of it shows: at most 60 lines, in any order, anywhere on a sheet and in any size.
+/* Poses the face as a drawing of it shows: at most 400 lines, in any order, anywhere on a sheet and in any size.
  * Controls start at rest, joints and what is locked where they are. `neutral`: the same hand's drawing of the face at
  * rest, which takes its proportions out; NULL with 0: none. `view`: from where both see the face; NULL: from the front.
  * `read` (may be NULL) takes an entry a line, then one a neutral line. */

@@ -63,14 +63,28 @@ bool within_face(const FaceMark& mark) {
   return std::abs(at.x) < k_face_half_width && at.y > -k_face_above && at.y < k_face_below;
 }
 
+/// Whether a line is drawn around most of its box: a window is, an eye is not.
+bool is_box(const FaceMark& mark) {
+  if (!mark.closed || mark.size().y < k_box_height * mark.size().x) return false;
+  double twice = 0;
+  for (std::size_t i = 0; i < mark.points.size(); ++i) {
+    const PxPoint& a = mark.points[i];
+    const PxPoint& b = mark.points[(i + 1) % mark.points.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * std::abs(twice) > k_box_filled * mark.size().x * mark.size().y;
+}
+
 void label(FaceMark& mark) {
   mark.part = FacePart::unknown;
   mark.cost = within_face(mark) ? k_unknown_cost : k_around_cost;
   if (!within_face(mark)) mark.part = FacePart::around;
   // A line that runs to and fro is no border of anything; brows are filled so.
   const bool tangled = mark.length > k_tangled * (mark.size().x + mark.size().y);
+  const bool box = is_box(mark);
   for (const PartHabit& habit : part_habits()) {
     if (tangled && habit.part != FacePart::brow) continue;
+    if (box && (habit.part == FacePart::eye || habit.part == FacePart::pupil)) continue;
     if (habit.form != LineForm::any && (habit.form == LineForm::closed) != mark.closed) continue;
     const double cost = cost_of(mark, habit);
     if (cost >= mark.cost) continue;

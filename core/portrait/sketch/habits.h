@@ -30,6 +30,9 @@ inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_belo
 inline constexpr double k_mouth_reach = 0.15;
 /// A line that runs to and fro is longer than this many times its width and height together; a ring is 1.6 times.
 inline constexpr double k_tangled = 2.2;
+/// A box is filled by this share of its width and height, and is no lower than the other share of its width; a ring
+/// fills 0.79.
+inline constexpr double k_box_filled = 0.91, k_box_height = 0.4;
 /// The distance of a straight line's ends is more than this share of its length.
 inline constexpr double k_straight = 0.995;
 inline constexpr double k_longer_than_mouth = 1.1;

@@ -46,7 +46,7 @@ void add_crossings(const FaceMark& mark, double x, std::vector<double>& out) {
 std::vector<double> layers(const Marks& marks, double x, double doubled) {
   std::vector<double> ys;
   for (const FaceMark* mark : marks) add_crossings(*mark, x, ys);
-  std::sort(ys.begin(), ys.end());
+  std::stable_sort(ys.begin(), ys.end());
   std::vector<double> out;
   std::vector<double> together;
   const auto flush = [&] {
