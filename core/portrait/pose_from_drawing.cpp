@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/portrait/sketch/habits.h"
 #include "core/portrait/sketch/model_face.h"
 #include "core/portrait/sketch/pose_from_sketch.h"
 #include "core/portrait/sketch/pose_over_face.h"
@@ -62,8 +63,9 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
     const Placement& on_face = out.read.placement;
     out.sheet = {on_face.along / face->scale(), on_face.across / face->scale(),
                  face->middle() + on_face.shift * (1.0 / face->scale())};
-    if (drawing.in_view && drawing.neutral.empty()) {
-      auto over = pose_over_face(rig, whole, curves, drawing, out.read.lines, camera, start, free);
+    // A whole face is drawn in proportions of its own, a few lines where they are meant.
+    if (drawing.in_view && drawing.neutral.empty() && drawing.lines.size() < k_whole_face) {
+      auto over = pose_over_face(rig, whole, curves, drawing, out.read, camera, start, free);
       if (!over) return over.error();
       out.pose = std::move(*over);
       return out;

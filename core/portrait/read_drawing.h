@@ -44,8 +44,8 @@ struct LineRead {
   std::optional<std::size_t> lower;  ///< the curve of the lower half of a line that is drawn around
 };
 
-/// Errors (place: the sheet and its line): no lines, more than k_most_drawn_lines, lines without length, numbers that are
-/// not finite.
+/// Errors (place: the sheet and its line): no lines, more than k_most_drawn_lines, lines without length, numbers that
+/// are not finite.
 [[nodiscard]] base::Status check_lines(std::span<const DrawnLine> lines, const char* sheet);
 
 struct DrawingRead {

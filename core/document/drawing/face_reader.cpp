@@ -130,7 +130,7 @@ base::Result<FaceReader::Read> FaceReader::read(const Document& document, FaceDr
   if (asked.neutral.empty()) {
     const auto camera = geometry::Camera::make(drawing.view.camera, drawing.view.viewport);
     if (!camera) return camera.error();
-    auto over = portrait::pose_over_face(*document.model->rig, whole, known->curves, asked, read->lines, *camera,
+    auto over = portrait::pose_over_face(*document.model->rig, whole, known->curves, asked, *read, *camera,
                                          seen_->start, seen_->free);
     if (!over) return over.error();
     posed = std::move(*over);

@@ -98,6 +98,8 @@ inline constexpr double k_upper_of_gap = 0.2;
 inline constexpr double k_sketch_doubt = 0.025;
 /// How far a hand strays that draws over a face, of the distance of the eyes.
 inline constexpr double k_hand_over_face = 0.0086;
+/// So many lines show a whole face.
+inline constexpr std::size_t k_whole_face = 6;
 /// Drawings whose lines cost more than this, on the mean, are no faces.
 inline constexpr double k_most_cost = 3.3;
 /// Doubt where the same hand drew the face at rest, and where the model's own features are those at rest.

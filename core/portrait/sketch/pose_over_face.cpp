@@ -77,8 +77,13 @@ std::vector<std::vector<LineRead>> borders_of(const ModelFace& face, std::span<c
 
 base::Result<rig::Pose> pose_over_face(const rig::Rig& rig, const intent::WholeModel& whole,
                                        std::span<const FeatureCurve> curves, const Drawing& drawing,
-                                       std::span<LineRead> read, const geometry::Camera& camera, const rig::Pose& start,
+                                       DrawingRead& reading, const geometry::Camera& camera, const rig::Pose& start,
                                        std::span<const std::size_t> free) {
+  // Of many lines together it is known whether they are those of the face at rest.
+  const auto nothing = [](double share) { return share == 0; };
+  const bool rests = std::all_of(reading.shares.begin(), reading.shares.end(), nothing);
+  if (rests && drawing.lines.size() >= k_whole_face) return start;
+  const std::span<LineRead> read = reading.lines;
   const auto face = ModelFace::see(rig, curves, start, camera);
   const double unit = face ? std::sqrt(geometry::dot(face->layout().along, face->layout().along)) : 0;
   const double hand_px = unit > 0 ? k_hand_over_face * unit : intent::doubt_px(camera.viewport());

@@ -12,7 +12,7 @@ namespace penpose::portrait {
 /// would ask for nothing, it is changed to what the line asks for. Errors: those of intent::solve.
 [[nodiscard]] base::Result<rig::Pose> pose_over_face(const rig::Rig& rig, const intent::WholeModel& whole,
                                                      std::span<const FeatureCurve> curves, const Drawing& drawing,
-                                                     std::span<LineRead> read, const geometry::Camera& camera,
+                                                     DrawingRead& reading, const geometry::Camera& camera,
                                                      const rig::Pose& start, std::span<const std::size_t> free);
 
 }  // namespace penpose::portrait

@@ -265,9 +265,7 @@ void add_options(const Command& command, PoseArguments& arguments) {
       .add_option(
           "--preset",
           [&arguments](const std::string& preset) {
-            arguments.preset = preset == "paper"   ? Preset::paper
-                               : preset == "exact" ? Preset::exact
-                                                   : Preset::meant;
+            arguments.preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
           },
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
           "the controls that move cost. "

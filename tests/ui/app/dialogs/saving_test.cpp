@@ -107,12 +107,14 @@ TEST(Saving, AProjectIsToldFromAModelAndFromAnotherEditionsProject) {
   std::string bytes = bytes_of(project);
   const std::size_t edition = bytes.find("\"edition\":");
   ASSERT_NE(edition, std::string::npos);
-  char& digit = bytes[edition + 10];
-  digit = digit == '9' ? '8' : '9';
-  std::ofstream(project, std::ios::binary) << bytes;
+  // An edition to come has one digit more; the name of the program that wrote the file has one letter less.
+  std::string newer = bytes;
+  newer.insert(edition + 10, "9");
+  newer.erase(newer.find("\"generator\":\"") + 13, 1);
+  std::ofstream(project, std::ios::binary) << newer;
   EXPECT_FALSE(files::is_project(project)) << "it opens as a model: its controls are baked";
   EXPECT_FALSE(files::is_older_project(project));
-  digit = '1';
+  bytes[edition + 10] = '1';
   std::ofstream(project, std::ios::binary) << bytes;
   EXPECT_TRUE(files::is_older_project(project));
   EXPECT_FALSE(files::is_project(project));

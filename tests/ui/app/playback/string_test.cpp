@@ -71,7 +71,7 @@ TEST(String, ACornerFollowsThePenFromTheFirstPxOnAndTheOtherSideHoldsStill) {
   static_cast<void>(pull_up_and_back(puppet, 40, values, others));
   EXPECT_GT(values[20], values[0] + 0.2);
   for (std::size_t i = 1; i <= 20; ++i) {
-    EXPECT_GT(values[i], values[i - 1]) << i;
+    EXPECT_TRUE(values[i] > values[i - 1] || values[i] == 1.0) << i << ": until it can go no farther";
     EXPECT_LT(values[i], values[i - 1] + 0.05) << i << ": no jump";
   }
   EXPECT_NEAR(values[40], values[0], 1e-9) << "it goes back with the pen";

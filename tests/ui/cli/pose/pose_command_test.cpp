@@ -186,7 +186,8 @@ TEST_F(PoseCommand, ExplainsHowALineCanBeRead) {
   for (const Json& reading : answer.at("cases")[0].at("readings")) {
     sum += reading.at("probability").get<double>();
     double energy = 0;
-    for (const auto& [name, pair] : reading.at("terms").items()) energy += pair[0].get<double>() * pair[1].get<double>();
+    for (const auto& [name, pair] : reading.at("terms").items())
+      energy += pair[0].get<double>() * pair[1].get<double>();
     EXPECT_NEAR(reading.at("energy").get<double>(), energy, 1e-4);
   }
   EXPECT_NEAR(sum, 1, 1e-4);
