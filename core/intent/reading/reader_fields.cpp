@@ -34,15 +34,7 @@ std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> refe
 
 bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
   if (chain.empty()) return false;
-  if (any_span_) {
-    // A brow does not speak for the head that carries what moves faces.
-    return std::any_of(chain.begin(), chain.end(), [&](std::size_t joint) {
-      for (std::size_t p = 0; p < whole_.joint.size(); ++p) {
-        if (whole_.joint[p] == joint && whole_.bears[p] > weights_.borne) return false;
-      }
-      return true;
-    });
-  }
+  if (any_span_) return true;
   double largest = 0;
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
