@@ -250,6 +250,7 @@ void Reader::make_units() {
     choices_.units.push_back(unit);
   }
   make_run_units();
+  if (!limb()) forgive_carriers();
 }
 
 void Reader::restrict_to(std::span<const std::size_t> joints) {

@@ -184,6 +184,9 @@ class Reader final : public Relations {
   // Faces (reader_fields.cpp).
   /// Returns whether anything but such joints can follow the lines.
   [[nodiscard]] bool others_follow() const;
+  /// Counts what joints carry from the joint that carries least, if all that can follow the lines carry about as much and
+  /// no shape does anything on a joint: then a line can mean nothing else.
+  void forgive_carriers();
   /// What a variable does beside what was drawn.
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range

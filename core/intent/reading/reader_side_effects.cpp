@@ -70,4 +70,23 @@ double Reader::side_effect_cost(std::size_t variable) const {
          costs_.tangential * base::log(tangential_ratios_[variable]);
 }
 
+void Reader::forgive_carriers() {
+  using inference::Term;
+  const auto borne = [](double share) { return share > 0; };
+  if (choices_.units.empty() || std::any_of(whole_.bears.begin(), whole_.bears.end(), borne)) return;
+  const auto carried = [](const Unit& unit) { return unit.terms[Term::carried]; };
+  double least = carried(choices_.units.front());
+  double most = least;
+  for (const Unit& unit : choices_.units) {
+    least = std::min(least, carried(unit));
+    most = std::max(most, carried(unit));
+  }
+  // Where one joint carries much less than another, the lines may mean it alone.
+  if (least < 0.5 * most) return;
+  for (Unit& unit : choices_.units) {
+    unit.terms[Term::carried] -= least;
+    unit.charge = weights_.by.dot(unit.terms);
+  }
+}
+
 }  // namespace penpose::intent
