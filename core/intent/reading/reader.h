@@ -184,8 +184,10 @@ class Reader final : public Relations {
   // Faces (reader_fields.cpp).
   /// Returns whether anything but such joints can follow the lines.
   [[nodiscard]] bool others_follow() const;
-  /// Counts what joints carry from the joint that carries least, if all that can follow the lines carry about as much and
-  /// no shape does anything on a joint: then a line can mean nothing else.
+  /// Returns whether most of what shapes do happens on what a joint carries.
+  [[nodiscard]] bool bears_face(std::size_t joint) const;
+  /// Counts what joints carry from the joint that carries least, if all that can follow the lines carry about as much
+  /// and no shape does anything on a joint: then a line can mean nothing else.
   void forgive_carriers();
   /// What a variable does beside what was drawn.
   struct Field {

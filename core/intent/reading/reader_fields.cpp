@@ -34,7 +34,8 @@ std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> refe
 
 bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
   if (chain.empty()) return false;
-  if (any_span_) return true;
+  // A brow does not speak for the head that carries what moves faces.
+  if (any_span_) return !std::all_of(chain.begin(), chain.end(), [&](std::size_t joint) { return bears_face(joint); });
   double largest = 0;
   for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
   geometry::Box box;
@@ -310,31 +311,6 @@ bool Reader::others_follow() const {
     }
   }
   return false;
-}
-
-double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
-  const ControlFields& fields = *whole_.fields;
-  std::vector<ModelVector> to_a(fields.places().size(), ModelVector{0});
-  std::vector<ModelVector> to_b = to_a;
-  for (std::size_t p = 0; p < a.size(); ++p) {
-    const rig::Parameter& parameter = rig_.parameters()[p];
-    // Fields of shapes are those of the whole range, those of joints of a radian.
-    const double range = whole_.joint[p] == k_no_partner ? parameter.maximum - parameter.minimum : 1.0;
-    if (!(range > 0.0) || (a[p] == problem_.start[p] && b[p] == problem_.start[p])) continue;
-    const auto field = fields.field(p);
-    for (std::size_t i = 0; i < field.samples.size(); ++i) {
-      to_a[field.samples[i]] += field.ways[i] * ((a[p] - problem_.start[p]) / range);
-      to_b[field.samples[i]] += field.ways[i] * ((b[p] - problem_.start[p]) / range);
-    }
-  }
-  double apart = 0, of_a = 0, of_b = 0;
-  for (std::size_t i = 0; i < to_a.size(); ++i) {
-    apart += square_of(to_a[i] - to_b[i]);
-    of_a += square_of(to_a[i]);
-    of_b += square_of(to_b[i]);
-  }
-  const double most = std::max(of_a, of_b);
-  return most > 0.0 ? std::sqrt(apart / most) : 0.0;
 }
 
 double Reader::stiffness(bool settled) const {

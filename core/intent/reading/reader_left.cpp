@@ -50,4 +50,29 @@ Reader::Left Reader::left(const rig::Pose& pose) {
   return left;
 }
 
+double Reader::unlikeness(const rig::Pose& a, const rig::Pose& b) const {
+  const ControlFields& fields = *whole_.fields;
+  std::vector<ModelVector> to_a(fields.places().size(), ModelVector{0});
+  std::vector<ModelVector> to_b = to_a;
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    const rig::Parameter& parameter = rig_.parameters()[p];
+    // Fields of shapes are those of the whole range, those of joints of a radian.
+    const double range = whole_.joint[p] == k_no_partner ? parameter.maximum - parameter.minimum : 1.0;
+    if (!(range > 0.0) || (a[p] == problem_.start[p] && b[p] == problem_.start[p])) continue;
+    const auto field = fields.field(p);
+    for (std::size_t i = 0; i < field.samples.size(); ++i) {
+      to_a[field.samples[i]] += field.ways[i] * ((a[p] - problem_.start[p]) / range);
+      to_b[field.samples[i]] += field.ways[i] * ((b[p] - problem_.start[p]) / range);
+    }
+  }
+  double apart = 0, of_a = 0, of_b = 0;
+  for (std::size_t i = 0; i < to_a.size(); ++i) {
+    apart += square_of(to_a[i] - to_b[i]);
+    of_a += square_of(to_a[i]);
+    of_b += square_of(to_b[i]);
+  }
+  const double most = std::max(of_a, of_b);
+  return most > 0.0 ? std::sqrt(apart / most) : 0.0;
+}
+
 }  // namespace penpose::intent

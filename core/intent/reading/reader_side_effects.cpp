@@ -70,6 +70,13 @@ double Reader::side_effect_cost(std::size_t variable) const {
          costs_.tangential * base::log(tangential_ratios_[variable]);
 }
 
+bool Reader::bears_face(std::size_t joint) const {
+  for (std::size_t p = 0; p < whole_.joint.size(); ++p) {
+    if (whole_.joint[p] == joint && whole_.bears[p] > weights_.borne) return true;
+  }
+  return false;
+}
+
 void Reader::forgive_carriers() {
   using inference::Term;
   const auto borne = [](double share) { return share > 0; };

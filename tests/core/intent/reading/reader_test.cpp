@@ -229,10 +229,10 @@ TEST(Reader, ABrowDoesNotSpeakForTheHeadThatCarriesIt) {
   EXPECT_EQ(reader.choices().units.size(), 1U) << "the shape alone";
   reader.leave_carriers(false);
   EXPECT_EQ(reader.choices().units.size(), all);
-  // Where no shape can follow and one shape makes no face, the joints are all that is left, and the line means them.
+  // Where the shape that could follow is locked, the joint that carries it is not meant for it.
   IntentProblem locked = problem;
   std::erase(locked.free, face.number("shape"));
-  EXPECT_TRUE(Reader::of(*face.rig, whole, locked).limb());
+  EXPECT_FALSE(Reader::of(*face.rig, whole, locked).limb());
 }
 
 TEST(Reader, WhatIsLeftIsTheDistanceToWhereThePointsGo) {
