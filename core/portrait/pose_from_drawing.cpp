@@ -23,7 +23,7 @@ rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& st
 
 namespace {
 
-/// Whether a pose shows something else than what a person sees in the drawing.
+/// Returns whether a pose shows something else than what a person sees in the drawing.
 bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const SketchedPose& sketched,
                 const rig::Pose& pose, const rig::Pose& start, const geometry::Camera& camera) {
   const auto rest = ModelFace::see(rig, curves, start, camera);
@@ -33,7 +33,7 @@ bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const
   return contradicts(drawn, posed->measures(), rest->measures());
 }
 
-/// Whether somebody drew this very model, as far as their drawing of its face at rest tells.
+/// Returns whether the drawing of the face at rest shows this very model; true without such a drawing.
 bool of_this_model(const FaceView& face, const Drawing& drawing) {
   if (drawing.neutral.empty() || drawing.in_view) return true;
   const auto rest = read_drawing(face, {drawing.neutral, {}, false, drawing.given_neutral, {}});
@@ -86,6 +86,7 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
   if (!*sketched || (of_model && !shows_else(rig, curves, **sketched, out.pose, start, camera))) return out;
   out.pose = std::move((*sketched)->pose);
   out.read.lines = std::move((*sketched)->lines);
+  out.sheet = (*sketched)->sheet;
   return out;
 }
 

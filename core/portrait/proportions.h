@@ -21,9 +21,9 @@ struct Proportion {
   std::vector<std::vector<geometry::PxPoint>> ways;
 };
 
-/// How far apart the eyes are, how wide the mouth is, how high the brows are above the eyes, how long the nose is, how
-/// long the face is below the eyes. `curves`: points in the picture, px, y down. Parts that are missing have no
-/// proportion of their own.
+/// Returns the proportions in which drawings differ: how far apart the eyes are, how wide the mouth is, how high the
+/// brows are above the eyes, how long the nose is, how long the face is below the eyes. `curves`: points in the
+/// picture, px, y down. Parts that are missing have no proportion of their own.
 [[nodiscard]] std::vector<Proportion> proportions_of(std::span<const std::vector<geometry::PxPoint>> curves,
                                                      std::span<const Part> parts);
 

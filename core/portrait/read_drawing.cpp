@@ -137,7 +137,7 @@ constexpr Hand k_drawn_over{0.03, 1.0, true};
 /// both stray.
 constexpr Hand k_known_hand{0.005, 1.3};
 
-/// Lines of this very face cost no more than this each; those of other faces and of other things do.
+/// A drawing shows this very face if its lines cost at most this, on the mean.
 constexpr double k_like_this_face = 18.5;
 
 }  // namespace

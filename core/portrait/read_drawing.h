@@ -14,7 +14,8 @@
 
 namespace penpose::portrait {
 
-/// Lines of a drawing at most, and of one that can be compared with a face line by line.
+/// A drawing has at most `k_most_drawn_lines` lines. Only drawings of at most `k_most_lines` are compared with the
+/// model line by line.
 inline constexpr std::size_t k_most_drawn_lines = 400;
 inline constexpr std::size_t k_most_lines = 60;
 
@@ -44,8 +45,8 @@ struct LineRead {
   std::optional<std::size_t> lower;  ///< the curve of the lower half of a line that is drawn around
 };
 
-/// Errors (place: the sheet and its line): no lines, more than k_most_drawn_lines, lines without length, numbers that
-/// are not finite.
+/// Checks the lines of a sheet. Errors (place: the sheet and its line): no lines, more than k_most_drawn_lines, lines
+/// without length, numbers that are not finite.
 [[nodiscard]] base::Status check_lines(std::span<const DrawnLine> lines, const char* sheet);
 
 struct DrawingRead {

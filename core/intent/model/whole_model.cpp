@@ -104,10 +104,10 @@ std::vector<std::vector<WholeModel::OfPiece>> turns_by_piece(const ControlFields
   return out;
 }
 
-/// What goes this share of the largest way, squared, is moved by a shape.
+/// A shape moves a sample if its squared way is more than this share of the largest one.
 constexpr double k_moved_square = 0.01;
 
-/// WholeModel::bears.
+/// Computes WholeModel::bears.
 std::vector<double> shares_borne(const ControlFields& fields, const std::vector<bool>& shapes,
                                  std::span<const std::size_t> joint) {
   std::vector<double> done(fields.places().size(), 0.0);  // by shapes, at each sample

@@ -52,8 +52,8 @@ class Likeness {
   std::vector<Normal> normals_;
 };
 
-/// Columns of how a line may slide along a stretch that lies at `mean`: its ends, and three waves between them, each
-/// times its width of doubt.
+/// Returns the ways in which a line may slide along a stretch that lies at `mean`: at each end, and in three waves
+/// between them, each times its width of doubt.
 [[nodiscard]] std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch);
 
 }  // namespace penpose::portrait

@@ -8,8 +8,8 @@
 namespace penpose::portrait {
 namespace {
 
-/// What is left of a difference from what is usual: nothing of what is usual, all of what is clearly more, and between
-/// them a straight line (firm shrinkage; Gao and Bruce 1997).
+/// Shrinks a difference from the usual value: a usual difference becomes 0, a clearly larger one stays as it is, and
+/// the result grows linearly between the two (firm shrinkage; Gao and Bruce 1997).
 double beyond(double difference, const Usual& usual, double doubt) {
   const double size = std::abs(difference);
   const double low = usual.spread * doubt * k_from;
@@ -19,7 +19,7 @@ double beyond(double difference, const Usual& usual, double doubt) {
   return (difference > 0 ? 1.0 : -1.0) * high * (size - low) / (high - low);
 }
 
-/// The gap between a brow and the eye below it.
+/// Returns the gap between a brow and the eye below it.
 double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& eye) {
   return brow.height - (eye ? 0.5 * eye->height : 0.0);
 }
@@ -27,7 +27,7 @@ double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& ey
 bool is_line(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::line; }
 bool is_open(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::open; }
 
-/// How far an eye is closed, as far as it alone tells.
+/// Returns how far an eye is closed, judged without the other eye: 1 is shut, below 0 is wide.
 double closed_alone(const EyeMeasure& eye, const std::optional<EyeMeasure>& rest, double doubt) {
   if (eye.kind == EyeKind::dot) return 0;
   if (rest && rest->kind == EyeKind::open && rest->opening > 0) {
@@ -72,7 +72,7 @@ std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const 
   return out;
 }
 
-/// Sides that differ by no more than a hand does show the same.
+/// Gives both sides their mean if they differ by no more than `stray`, as an unsteady hand makes them.
 void make_even(double& one, double& other, double stray) {
   if (std::abs(one - other) > stray) return;
   one = other = 0.5 * (one + other);
@@ -137,7 +137,7 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   return out;
 }
 
-/// What goes with an expression and is seldom drawn.
+/// Adds what accompanies an expression but is seldom drawn, such as wide eyes of a frightened face.
 void add_companions(Expression& expression, const FaceMeasures& drawn) {
   if (!expression.brows[0] || !expression.brows[1] || !expression.mouth) return;
   const double tilt = 0.5 * (expression.brows[0]->tilted + expression.brows[1]->tilted);

@@ -7,7 +7,8 @@
 
 namespace penpose::portrait {
 
-/// What a face shows beyond its proportions. Sides as in FaceMeasures. What is not drawn has no value.
+/// The expression of a face, without its proportions. Arrays hold the left of the picture first. A part that was not
+/// drawn has no value.
 struct Expression {
   struct Brow {
     double raised = 0;  ///< of the distance of the eyes
@@ -26,15 +27,15 @@ struct Expression {
   [[nodiscard]] bool rests() const;
 };
 
-/// What the same face is like at rest: another drawing by the same hand, or the model itself. `doubt`: how far what is
-/// drawn strays from it, of what drawings of any face stray from the usual face.
+/// The same face at rest: another drawing by the same hand, or the model itself. `doubt` says how far a drawing strays
+/// from it, as a share of how far drawings of any face stray from the usual face.
 struct RestingFace {
   FaceMeasures measures;
   double doubt = 1;
 };
 
-/// Says what of a drawing is expression and what is the way this person draws: what is usual at rest is no expression.
-/// `rest`: where it is known.
+/// Separates the expression of a drawing from the artist's style: a measure that is usual at rest is no expression.
+/// `rest` is the face at rest, if it is known.
 [[nodiscard]] Expression expression_of(const FaceMeasures& drawn, const std::optional<RestingFace>& rest);
 
 }  // namespace penpose::portrait

@@ -23,7 +23,7 @@ struct Box {
   }
 };
 
-/// The points of each line, evenly along it.
+/// Resamples each line evenly and measures its box.
 std::vector<FaceMark> marks_of(std::span<const std::vector<PxPoint>> lines) {
   std::vector<FaceMark> marks;
   for (const std::vector<PxPoint>& line : lines) {
@@ -46,7 +46,7 @@ double off(double value, double mean, double spread) {
   return 0.5 * d * d;
 }
 
-/// What it costs that a mark is drawn where a habit has its part.
+/// Returns -log of how likely a mark is the habit's part, less a constant.
 double cost_of(const FaceMark& mark, const PartHabit& habit) {
   const PxPoint at = mark.middle();
   const PxPoint size = mark.size();
@@ -63,7 +63,7 @@ bool within_face(const FaceMark& mark) {
   return std::abs(at.x) < k_face_half_width && at.y > -k_face_above && at.y < k_face_below;
 }
 
-/// Whether a line is drawn around most of its box: a window is, an eye is not.
+/// Returns whether a closed line fills most of its box, as a window does and an eye does not.
 bool is_box(const FaceMark& mark) {
   if (!mark.closed || mark.size().y < k_box_height * mark.size().x) return false;
   double twice = 0;
@@ -98,7 +98,7 @@ bool is_straight(const FaceMark& mark) {
   return geometry::distance(mark.points.front(), mark.points.back()) > k_straight * mark.length;
 }
 
-/// A straight line that is longer than what else is drawn of the mouth says where the mouth is to be.
+/// Drops construction lines: a straight line that is longer than the rest of the mouth only marks its place.
 void drop_construction_line(FaceLayout& layout) {
   double low = 1e300, high = -1e300;
   for (const FaceMark& mark : layout.marks) {
@@ -113,7 +113,7 @@ void drop_construction_line(FaceLayout& layout) {
   }
 }
 
-/// A face has a mouth: where no line is more likely to be one than anything else, the likeliest is.
+/// Labels the likeliest line as the mouth if no line has that label yet, because a face has a mouth.
 void find_mouth(FaceLayout& layout) {
   FaceMark* best = nullptr;
   double least = k_unknown_cost;
@@ -130,7 +130,7 @@ void find_mouth(FaceLayout& layout) {
   best->cost = least;
 }
 
-/// Of what could be the mouth, the likeliest is, and what lies at it.
+/// Keeps the likeliest mouth and the lines near it, and drops the label of all other mouths.
 void keep_one_mouth(FaceLayout& layout) {
   drop_construction_line(layout);
   const FaceMark* best = nullptr;
@@ -152,7 +152,7 @@ void keep_one_mouth(FaceLayout& layout) {
 
 bool is_of_eye(const FaceMark& mark) { return mark.part == FacePart::eye || mark.part == FacePart::pupil; }
 
-/// How unlike two marks are: the differences of the logarithms of their sizes.
+/// Returns how much the sizes of two marks differ: the sum of the differences of their logarithms.
 double unlike(const FaceMark& a, const FaceMark& b) {
   const auto ratio = [](double x, double y) {
     return std::abs(base::log(std::max(x, k_least_size) / std::max(y, k_least_size)));
@@ -160,7 +160,7 @@ double unlike(const FaceMark& a, const FaceMark& b) {
   return ratio(a.size().x, b.size().x) + ratio(a.size().y, b.size().y);
 }
 
-/// How unlike the eyes are where they are most alike.
+/// Returns the least `unlike` between a mark of the left eye and one of the right eye.
 double unlike_eyes(const FaceLayout& layout) {
   double least = k_most_unlike;
   for (const FaceMark& a : layout.marks) {
@@ -172,7 +172,7 @@ double unlike_eyes(const FaceLayout& layout) {
   return least;
 }
 
-FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along) {
+FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along, bool whole_face = true) {
   FaceLayout layout;
   layout.middle = middle;
   layout.along = along;
@@ -191,7 +191,7 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
     label(one);
     layout.marks.push_back(std::move(one));
   }
-  find_mouth(layout);
+  if (whole_face) find_mouth(layout);
   keep_one_mouth(layout);
   std::array<bool, 2> eye{false, false}, brow{false, false};
   bool mouth = false;
@@ -211,7 +211,7 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
   return layout;
 }
 
-/// Whether two marks may be the eyes of a face: alike, beside each other.
+/// Returns whether two marks can be the eyes of a face: they have similar sizes and lie beside each other.
 bool may_be_eyes(const FaceMark& a, const FaceMark& b) {
   const PxPoint d = b.middle() - a.middle();
   const double one = std::max(a.size().x, a.size().y);
@@ -221,7 +221,7 @@ bool may_be_eyes(const FaceMark& a, const FaceMark& b) {
          std::min(one, other) > k_least_alike * large;
 }
 
-/// The frame from all lines of eyes that have a counterpart.
+/// Fits the frame to all lines of the eyes that have a counterpart in the other eye.
 FaceLayout refined(const std::vector<FaceMark>& marks, const FaceLayout& found) {
   PxPoint left{0, 0}, right{0, 0};
   double weight = 0;
@@ -261,7 +261,7 @@ PxPoint FaceLayout::in_frame(const PxPoint& p) const {
 PxPoint FaceLayout::on_sheet(const PxPoint& p) const { return middle + along * p.x + PxPoint{-along.y, along.x} * p.y; }
 
 FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, PxPoint along) {
-  return laid(marks_of(lines), middle, along);
+  return laid(marks_of(lines), middle, along, false);
 }
 
 std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines) {

@@ -11,7 +11,7 @@ namespace penpose::portrait {
 
 using geometry::PxPoint;
 
-/// What a line of a drawn face is.
+/// The part of a face that a drawn line shows.
 enum class FacePart : unsigned char {
   eye,    ///< the border of an eye, a lid, or all of a closed eye
   pupil,  ///< a pupil, an iris, a dot for an eye
@@ -41,7 +41,7 @@ struct FaceMark {
   [[nodiscard]] PxPoint size() const { return high - low; }
 };
 
-/// Where a face lies on a sheet and what its lines are.
+/// The place of a face on a sheet and the part that each line shows.
 struct FaceLayout {
   PxPoint middle{0, 0};         ///< between the eyes, px of the sheet
   PxPoint along{1, 0};          ///< from the middle of the eye at the left to that of the other, px
@@ -52,10 +52,11 @@ struct FaceLayout {
 };
 
 /// Finds the face of a drawing from how faces are laid out: two things that are alike beside each other are its eyes,
-/// and each other line is the part that is likeliest there. None: no two lines can be the eyes of a face with a mouth.
+/// and each other line is the part that is likeliest there. Returns nothing if no two lines can be the eyes of a face
+/// with a mouth.
 [[nodiscard]] std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines);
 
-/// Says what lines are where the eyes are known: `middle` and `along` as in FaceLayout.
+/// Labels lines in a known frame, of a whole face or of a part of it; `middle` and `along` are those of FaceLayout.
 [[nodiscard]] FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, PxPoint along);
 
 /// Returns the name of a part, for people.

@@ -23,7 +23,7 @@ struct PartHabit {
 
 inline constexpr double k_least_size = 0.02;
 inline constexpr double k_unknown_cost = 5.5;
-/// A line that is less likely than this makes no mouth of a face.
+/// A line that costs more than this is no mouth.
 inline constexpr double k_most_mouth_cost = 3.25;
 inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
@@ -38,7 +38,7 @@ inline constexpr double k_straight = 0.995;
 inline constexpr double k_longer_than_mouth = 1.1;
 inline constexpr double k_lone_brow_cost = 0.3, k_no_brows_cost = 0.5;
 inline constexpr double k_most_roll = 0.45, k_largest_eye = 1.05, k_smallest_eye = 0.06, k_least_alike = 0.25;
-/// What eyes that are unlike cost.
+/// The cost of eyes that differ, a unit of `unlike`, and the most units that count.
 inline constexpr double k_unlike_cost = 0.25, k_most_unlike = 1.0;
 /// Lines of both eyes that are no more unlike than this are counterparts.
 inline constexpr double k_counterpart = 0.9, k_counterpart_off = 2.0;
@@ -49,7 +49,7 @@ inline constexpr double k_doubled = 0.07;
 inline constexpr double k_small_pupil = 0.28;
 /// A mouth of three lines that is higher than this share of its width is open.
 inline constexpr double k_open_height = 0.4;
-/// So high are two lips that are alike.
+/// Two shut lips of equal height are at most this share of the width high.
 inline constexpr double k_highest_lips = 0.65;
 /// Lines of a mouth from corner to corner are at least this share of its width.
 inline constexpr double k_from_corner_to_corner = 0.72, k_seam = 0.45, k_seam_inset = 0.04;
@@ -64,10 +64,10 @@ inline constexpr double k_startled = 0.4, k_sneer = 0.12;
 inline constexpr double k_narrow_mouth = 0.5;
 /// Lips are about as high as each other: a gap so much higher than the other one is the opening.
 inline constexpr double k_uneven_lips = 1.6;
-/// A mouth that is so much wider than usual says so even where it is one flat line.
+/// A mouth of one flat line is wide only if it exceeds the usual width by more than this share.
 inline constexpr double k_widest_flat = 0.6;
 
-/// How a measure is in drawings of faces at rest.
+/// The mean and the standard deviation of a measure in drawings of faces at rest.
 struct Usual {
   double mean, spread;
 };
@@ -81,24 +81,24 @@ inline constexpr double k_shut_bend = 0.12;
 inline constexpr double k_smile_widens = 0.8;
 /// What is clearly drawn of a tilt and of a gap, and the share of it that a face has to show.
 inline constexpr double k_clear_tilt = 0.22, k_clear_gap = 0.15, k_shown = 0.25;
-/// A hand draws both sides as unlike as this.
+/// Two sides that differ by at most this are meant alike.
 inline constexpr double k_even_lids = 0.4, k_even_brows = 0.12, k_even_tilts = 0.3;
 /// An eye without an iris that is opened less than this share of its width is partly shut.
 inline constexpr double k_half_open = 0.26;
 /// An eye that is opened less than this share of the other is partly shut.
 inline constexpr double k_unlike = 0.6;
-/// As far as faces go.
+/// Expressions are limited to what faces can do.
 inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k_most_corner = 0.18, k_most_open = 0.8,
                         k_most_narrowed = 0.5, k_most_widened = 0.35;
 /// A brow tilts about this share of its length from the inner end.
 inline constexpr double k_tilt_pivot = 0.75;
 /// Lips part upwards by this share of the gap.
 inline constexpr double k_upper_of_gap = 0.2;
-/// How far what is meant strays from what a sketch shows, of the distance of the eyes.
+/// The standard deviation between a sketch and what it means, in distances of the eyes.
 inline constexpr double k_sketch_doubt = 0.025;
-/// How far a hand strays that draws over a face, of the distance of the eyes.
+/// The standard deviation of a hand that draws over a face, in distances of the eyes.
 inline constexpr double k_hand_over_face = 0.0086;
-/// So many lines show a whole face.
+/// A drawing of at least this many lines shows a whole face.
 inline constexpr std::size_t k_whole_face = 6;
 /// Drawings whose lines cost more than this, on the mean, are no faces.
 inline constexpr double k_most_cost = 3.3;

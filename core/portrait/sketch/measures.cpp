@@ -32,7 +32,7 @@ Extent extent_of(const Marks& marks) {
   return e;
 }
 
-/// Where a mark crosses the upright line at x.
+/// Adds the heights at which a mark crosses the upright line at x.
 void add_crossings(const FaceMark& mark, double x, std::vector<double>& out) {
   for (std::size_t i = 0; i + 1 < mark.points.size(); ++i) {
     const PxPoint& a = mark.points[i];
@@ -42,7 +42,8 @@ void add_crossings(const FaceMark& mark, double x, std::vector<double>& out) {
   }
 }
 
-/// Heights of lines one above the other about the middle of an extent; what is nearer than `doubled` is one line.
+/// Returns the heights of the lines that cross the upright line at x, ascending; lines nearer than `doubled` count as
+/// one.
 std::vector<double> layers(const Marks& marks, double x, double doubled) {
   std::vector<double> ys;
   for (const FaceMark* mark : marks) add_crossings(*mark, x, ys);
@@ -64,7 +65,8 @@ std::vector<double> layers(const Marks& marks, double x, double doubled) {
   return out;
 }
 
-/// Least squares of y = a + b t + c (t^2 - 1/3), t from -1 to 1 over an extent.
+/// Coefficients of the parabola y = at + slope t + curve (t^2 - 1/3) that fits marks best, t from -1 to 1 over an
+/// extent.
 struct Bend {
   double at = 0, slope = 0, curve = 0;
 };

@@ -7,7 +7,7 @@
 
 namespace penpose::portrait {
 
-/// How a brow is drawn. Lengths in distances of the eyes.
+/// The measures of a drawn brow. Lengths are in distances of the eyes.
 struct BrowMeasure {
   double height = 0;  ///< of its middle over the middle of the eyes
   double tilt = 0;    ///< rise from its inner to its outer end, of its width: below 0, the inner end is the higher one
@@ -40,8 +40,8 @@ struct MouthMeasure {
   double upper = 0;                     ///< the middle of the upper border over the middle of the mouth, of the width
 };
 
-/// What a drawing shows of a face. Parts that are not drawn have no measure. Sides: the left of the picture first,
-/// which is the right of the face.
+/// The measures of a drawn face. A part that was not drawn has none. Arrays hold the left of the picture first, which
+/// is the right of the face.
 struct FaceMeasures {
   std::array<std::optional<BrowMeasure>, 2> brows;
   std::array<std::optional<EyeMeasure>, 2> eyes;
@@ -51,8 +51,8 @@ struct FaceMeasures {
 
 [[nodiscard]] FaceMeasures measure(const FaceLayout& layout);
 
-/// Whether a face shows something else than what was drawn, however it is proportioned: brows that are tilted the other
-/// way, shut lips apart, or lips that have gone through each other. `rest` is the same face at rest.
+/// Returns whether a posed face contradicts a drawing, whatever its proportions: its brows tilt the other way, its lips
+/// are apart where they were drawn shut, or its lips run through each other. `rest` is the same face at rest.
 [[nodiscard]] bool contradicts(const FaceMeasures& drawn, const FaceMeasures& posed, const FaceMeasures& rest);
 
 }  // namespace penpose::portrait

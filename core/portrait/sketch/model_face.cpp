@@ -30,7 +30,7 @@ Ends ends_of(const std::vector<PxPoint>& points) {
   return ends;
 }
 
-/// The height of a line at x; beyond its ends, of the nearer end.
+/// Returns the height of a line at x; beyond the line, that of its nearer end.
 double height_at(const std::vector<PxPoint>& line, double x) {
   const PxPoint* best = &line.front();
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {

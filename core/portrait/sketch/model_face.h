@@ -15,22 +15,23 @@ namespace penpose::portrait {
 /// The features of a model as one camera sees them at rest, in the frame of FaceLayout.
 class ModelFace {
  public:
-  /// None: nothing of the curves says where eyes and mouth are. `curves` must outlive it.
+  /// Returns nothing if the curves name no eyes or no mouth. `curves` must outlive the result.
   static std::optional<ModelFace> see(const rig::Rig& rig, std::span<const FeatureCurve> curves, const rig::Pose& start,
                                       const geometry::Camera& camera);
 
-  /// What lines drawn along the model's features at rest would show.
+  /// Returns the measures of the model's features at rest.
   [[nodiscard]] const FaceMeasures& measures() const { return measures_; }
   [[nodiscard]] const FaceLayout& layout() const { return layout_; }
 
-  /// The lines that an artist would draw for an expression: each feature that was drawn, where the expression has it.
+  /// Returns the lines that an artist would draw over the model for an expression, one a feature that it has a value
+  /// for.
   [[nodiscard]] std::vector<intent::DrawnCurve> lines_of(const Expression& expression) const;
 
-  /// The curve that a part of a drawing stands for; none: the model has no such curve. `lower`: of lids and lips.
+  /// Returns the model's curve for a part of a drawing, if it has one. `lower` chooses the lower lid or lip.
   [[nodiscard]] std::optional<std::size_t> curve_of(FacePart part, bool right, bool lower) const;
-  /// The other border of the same lip; none: the model has one alone, or the curve is no lip.
+  /// Returns the other border of the same lip, if the curve is a lip with two borders.
   [[nodiscard]] std::optional<std::size_t> other_border(std::size_t curve) const;
-  /// Whether a place of the frame is below the line between the lips.
+  /// Returns whether a place of the frame is below the line between the lips.
   [[nodiscard]] bool below_mouth(const PxPoint& p) const;
 
  private:

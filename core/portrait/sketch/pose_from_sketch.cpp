@@ -21,7 +21,8 @@ std::vector<LineRead> lines_of(const FaceLayout& layout, const ModelFace& face) 
   return out;
 }
 
-/// What is drawn of brows, of eyes, of how far the mouth opens and of its form, each with the rest of the face at rest.
+/// Splits an expression into gestures: brows, eyes, the form of the mouth, its opening. Each leaves the rest of the
+/// face at rest.
 std::vector<Expression> parts_of(const Expression& whole) {
   Expression rest = whole;
   for (auto& brow : rest.brows) {
@@ -50,6 +51,16 @@ std::vector<Expression> parts_of(const Expression& whole) {
   return parts;
 }
 
+/// Returns the similarity that lays the eyes of a drawing on those of the model.
+Placement laid_on(const FaceLayout& model, const FaceLayout& drawn) {
+  const double squared = geometry::dot(drawn.along, drawn.along);
+  Placement sheet;
+  sheet.along = geometry::dot(model.along, drawn.along) / squared;
+  sheet.across = (drawn.along.x * model.along.y - drawn.along.y * model.along.x) / squared;
+  sheet.shift = model.middle - sheet(drawn.middle);
+  return sheet;
+}
+
 }  // namespace
 
 base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, const intent::WholeModel& whole,
@@ -67,7 +78,7 @@ base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, 
     rest = RestingFace{face->measures(), k_over_face};
   }
   const Expression expression = expression_of(measure(*layout), rest);
-  SketchedPose out{start, lines_of(*layout, *face), {}};
+  SketchedPose out{start, lines_of(*layout, *face), {}, laid_on(face->layout(), *layout)};
   const auto parameters = rig.parameters();
   intent::SolveWorkspace work;
   intent::SolveOptions options;

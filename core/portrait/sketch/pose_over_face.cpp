@@ -30,7 +30,7 @@ intent::IntentProblem problem_of(std::span<const FeatureCurve> curves, const Dra
   return problem;
 }
 
-/// Who draws one lid of an eye draws the upper one.
+/// Takes a lid that was drawn alone for the upper lid.
 void take_lone_lids(const ModelFace& face, std::span<LineRead> read) {
   for (const bool right : {false, true}) {
     const auto upper = face.curve_of(FacePart::eye, right, false);
@@ -46,7 +46,7 @@ void take_lone_lids(const ModelFace& face, std::span<LineRead> read) {
   }
 }
 
-/// What is too far from its feature to be known by its shape is known by its place.
+/// Labels lines that no feature's form explains by where they lie.
 void take_by_place(const ModelFace& face, const Drawing& drawing, std::span<LineRead> read) {
   const FaceLayout layout = lay_out(drawing.lines, face.layout().middle, face.layout().along);
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -58,7 +58,7 @@ void take_by_place(const ModelFace& face, const Drawing& drawing, std::span<Line
   }
 }
 
-/// Who draws both lips draws the same border of both.
+/// Returns the labels to compare: as they are, and with each of two lips moved to its other border.
 std::vector<std::vector<LineRead>> borders_of(const ModelFace& face, std::span<const LineRead> read) {
   std::vector<std::vector<LineRead>> out{{read.begin(), read.end()}};
   const auto lip = [&](const LineRead& line) { return line.curve && face.other_border(*line.curve).has_value(); };

@@ -263,6 +263,21 @@ TEST_F(DrawingOfTheHead, AFaceOfAFewLinesIsReadAsPeopleReadIt) {
   const auto rest = this->read({DrawnFace{}.lines(), {}});
   ASSERT_TRUE(rest);
   EXPECT_EQ(rest->pose, rig::rest_pose(rig()));
+  // The sheet lies with its eyes, 100 px apart about (200, 200), on those of the model.
+  const PxPoint left = rest->sheet(PxPoint{150, 200});
+  const PxPoint right = rest->sheet(PxPoint{250, 200});
+  EXPECT_NEAR(left.y, right.y, 2);
+  for (const char* lid : {"eyelid_upper_R", "eyelid_upper_L"}) {
+    const auto names = names_of(*curves_);
+    const auto& points =
+        (*curves_)[static_cast<std::size_t>(std::find(names.begin(), names.end(), lid) - names.begin())].points;
+    std::vector<geometry::ModelPoint> places(rig().vertex_count());
+    rig().evaluate(rig::rest_pose(rig()), places);
+    const auto at = camera().project(places[nearest_vertex(points[points.size() / 2])]).value();
+    const PxPoint& eye = std::string(lid).back() == 'R' ? left : right;
+    EXPECT_NEAR(at.x, eye.x, 0.1 * (right.x - left.x));
+    EXPECT_NEAR(at.y, eye.y, 0.3 * (right.x - left.x));
+  }
 }
 
 TEST_F(DrawingOfTheHead, AHouseAndAScribbleMoveNothingWildly) {

@@ -62,7 +62,7 @@ struct DrawnFace {
     }
     return line;
   }
-  /// `down`: how far its middle hangs below its ends.
+  /// Returns an arc whose middle hangs below its ends by `down`.
   static Line bow(geometry::PxPoint from, geometry::PxPoint to, double down) {
     Line line;
     for (int i = 0; i <= 24; ++i) {
