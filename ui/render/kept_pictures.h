@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "core/document/look.h"
-#include "ui/render/picture/texture_picture.h"
+#include "core/picture/decode_picture.h"
+#include "ui/render/picture/image.h"
 #include "ui/render/scene.h"
 
 namespace penpose::render {
@@ -91,7 +92,7 @@ void KeptPictures<Texture>::keep(const document::Look& look, std::span<const Loo
     const document::KeptBytes& bytes = look.images[one.image].bytes;
     if (kept_.contains(bytes.view().data())) continue;
     if (running.size() == k_at_a_time) finish_first();
-    const auto unpack = [bytes, most = one.most_px] { return decode_picture(bytes.view(), most); };
+    const auto unpack = [bytes, most = one.most_px] { return picture::decode_picture(bytes.view(), most); };
     try {
       running.push_back({one, std::async(std::launch::async, unpack)});
     } catch (const std::system_error&) {

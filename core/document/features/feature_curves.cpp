@@ -5,6 +5,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/document/features/known_heads.h"
+#include "core/document/features/model_paint.h"
 #include "core/portrait/features/find_features.h"
 
 namespace penpose::document {
@@ -104,7 +105,8 @@ base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::
   if (!known) return known;
   std::vector<Sought> sought;
   for (const portrait::FeatureCurve& one : known->curves) sought.push_back({one});
-  for (portrait::FoundCurve& one : portrait::find_features(*model.rig, *model.mesh, whole, model.front_yaw_degrees)) {
+  for (portrait::FoundCurve& one :
+       portrait::find_features(*model.rig, *model.mesh, whole, model.front_yaw_degrees, paint_of(model))) {
     // Lists of known heads call the border of the lips plainly by its lip.
     const bool listed = std::any_of(known->curves.begin(), known->curves.end(), [&](const auto& other) {
       return other.name == one.curve.name || other.name + "_outer" == one.curve.name;

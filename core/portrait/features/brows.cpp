@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/portrait/features/painted_brows.h"
 #include "core/portrait/surface/parting.h"
 #include "core/portrait/surface/pieces.h"
 #include "core/portrait/surface/ray_walk.h"
@@ -26,25 +27,12 @@ constexpr double k_brows_apart = 0.06;
 /// Of fields alone, and of the ridge alone.
 constexpr double k_of_fields = 0.7, k_of_ridge = 0.2;
 
-/// Where the brow of one eye may be, px.
-struct Window {
-  double outer = 0, inner = 0;  ///< columns; the outer end first
-  int bottom = 0, top = 0;      ///< rows
-  double unit = 1;              ///< px of the distance of the eyes
-  [[nodiscard]] double column(std::size_t i) const {
-    return outer + (inner - outer) * static_cast<double>(i) / (k_columns - 1);
-  }
-  [[nodiscard]] bool holds(double x, double y) const {
-    return x >= std::min(outer, inner) && x <= std::max(outer, inner) && y >= bottom && y <= top;
-  }
-};
-
-Window window_of(const FaceSurface& surface, const Eye& eye, bool is_left, double distance) {
+BrowWindow window_of(const FaceSurface& surface, const Eye& eye, bool is_left, double distance) {
   const FaceImage& image = surface.image();
   double lid = -1e300;
   for (const mesh::MeshPoint& p : eye.upper.points) lid = std::max(lid, surface.position(p).y);
   const double side = is_left ? 1.0 : -1.0;
-  Window window;
+  BrowWindow window;
   window.outer = image.column(eye.centre.x + side * k_outwards * distance);
   window.inner = image.column(eye.centre.x - side * k_inwards * distance);
   window.bottom = std::max(0, static_cast<int>(image.row(lid + k_lowest * distance)));
@@ -56,7 +44,7 @@ Window window_of(const FaceSurface& surface, const Eye& eye, bool is_left, doubl
 /// The middle line of what `at` gives a place for, over a window and a little around it; nothing where that is not like
 /// a brow.
 template <typename At>
-std::optional<FoundLine> middle_of(const Window& window, const At& at) {
+std::optional<FoundLine> middle_of(const BrowWindow& window, const At& at) {
   const double around = 0.25 * std::abs(window.outer - window.inner);
   const double side = window.outer < window.inner ? -1.0 : 1.0;
   const double step = std::abs(window.outer - window.inner) / 60.0;
@@ -84,7 +72,7 @@ std::optional<FoundLine> middle_of(const Window& window, const At& at) {
 }
 
 /// Pieces before the skin above an eye.
-std::optional<FoundLine> drawn_piece(const FaceSurface& surface, const Window& window, const Piece& piece) {
+std::optional<FoundLine> drawn_piece(const FaceSurface& surface, const BrowWindow& window, const Piece& piece) {
   const FaceImage& skin = surface.image();
   const ModelPoint centre = piece.box.center();
   if (!window.holds(skin.column(centre.x), skin.row(centre.y))) return std::nullopt;
@@ -103,7 +91,7 @@ std::optional<FoundLine> drawn_piece(const FaceSurface& surface, const Window& w
 }
 
 /// A material of the skin of which most is seen above the eyes.
-std::optional<std::size_t> brow_part(const FaceSurface& surface, const std::array<Window, 2>& windows) {
+std::optional<std::size_t> brow_part(const FaceSurface& surface, const std::array<BrowWindow, 2>& windows) {
   const FaceImage& image = surface.image();
   const std::size_t parts = surface.mesh().parts().size();
   if (parts < 2) return std::nullopt;
@@ -130,13 +118,15 @@ struct Ways {
   std::vector<std::vector<double>> middles;  ///< of each push, the middle row at each column; below 0: none
 };
 
-Ways ways_of(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface, const Window& window) {
+Ways ways_of(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
+             const BrowWindow& window) {
   const FaceImage& image = surface.image();
   Ways ways;
   std::vector<std::uint32_t> vertices;
   for (std::size_t i = 0; i < k_columns; ++i) {
     auto& column = ways.places.emplace_back();
-    for (int y = window.bottom; y <= window.top; y += 2) column.push_back(place_at(surface, window.column(i), y));
+    for (int y = window.bottom; y <= window.top; y += 2)
+      column.push_back(place_at(surface, window.column(i, k_columns), y));
     ways.squares.emplace_back(column.size(), 0.0);
   }
   // Where a push moves the skin most tells what it is for, so it is looked at on the whole face.
@@ -204,7 +194,7 @@ double spread_of(const Ways& ways) {
 }
 
 FoundLine moved_middle(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
-                       const Window& window) {
+                       const BrowWindow& window) {
   const Ways ways = ways_of(rig, whole, surface, window);
   FoundLine line;
   if (ways.middles.empty()) return line;
@@ -225,11 +215,11 @@ FoundLine moved_middle(const rig::Rig& rig, const intent::WholeModel& whole, con
   return line;
 }
 
-FoundLine ridge(const FaceSurface& surface, const Window& window) {
+FoundLine ridge(const FaceSurface& surface, const BrowWindow& window) {
   FoundLine line;
   for (std::size_t i = 0; i < k_columns; ++i) {
     std::vector<std::optional<SurfacePlace>> walk;
-    for (int y = window.bottom; y <= window.top; ++y) walk.push_back(place_at(surface, window.column(i), y));
+    for (int y = window.bottom; y <= window.top; ++y) walk.push_back(place_at(surface, window.column(i, k_columns), y));
     const auto chord = static_cast<std::size_t>(std::max(2.0, 0.08 * window.unit));
     const std::vector<double> turns = turns_of(walk, chord);
     const auto most = static_cast<std::size_t>(std::max_element(turns.begin(), turns.end()) - turns.begin());
@@ -242,10 +232,10 @@ FoundLine ridge(const FaceSurface& surface, const Window& window) {
 }  // namespace
 
 std::array<FoundLine, 2> find_brows(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
-                                    const std::array<Eye, 2>& eyes) {
+                                    const SurfacePaint& paint, const std::array<Eye, 2>& eyes) {
   const double distance = geometry::distance(eyes[0].centre, eyes[1].centre);
-  const std::array<Window, 2> windows{window_of(surface, eyes[0], false, distance),
-                                      window_of(surface, eyes[1], true, distance)};
+  const std::array<BrowWindow, 2> windows{window_of(surface, eyes[0], false, distance),
+                                          window_of(surface, eyes[1], true, distance)};
   for (const PiecePair& pair : find_piece_pairs(surface)) {
     auto right = drawn_piece(surface, windows[0], pair[0]);
     auto left = right ? drawn_piece(surface, windows[1], pair[1]) : std::nullopt;
@@ -261,9 +251,10 @@ std::array<FoundLine, 2> find_brows(const rig::Rig& rig, const intent::WholeMode
     const auto left = middle_of(windows[1], at);
     if (right && left) return {*right, *left};
   }
-  std::array<FoundLine, 2> brows;
+  std::array<FoundLine, 2> brows = find_painted_brows(surface, paint, windows);
   for (std::size_t side = 0; side < 2; ++side) {
-    brows[side] = moved_middle(rig, whole, surface, windows[side]);
+    FoundLine moved = moved_middle(rig, whole, surface, windows[side]);
+    if (moved.points.size() >= 8 && moved.sureness > brows[side].sureness) brows[side] = std::move(moved);
     if (brows[side].points.size() < 8) brows[side] = ridge(surface, windows[side]);
     brows[side].sureness *= eyes[side].upper.sureness;
   }

@@ -33,7 +33,8 @@ class Collection {
 }  // namespace
 
 std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleMesh& mesh,
-                                      const intent::WholeModel& whole, double front_yaw_degrees) {
+                                      const intent::WholeModel& whole, double front_yaw_degrees,
+                                      const SurfacePaint& paint) {
   const auto surface = FaceSurface::look_at(mesh, whole, front_yaw_degrees);
   if (!surface) return {};
   Collection found(*surface);
@@ -44,7 +45,7 @@ std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleM
     found.add("eyelid_lower_R", (*eyes)[0].lower);
     found.add("eyelid_upper_L", (*eyes)[1].upper);
     found.add("eyelid_lower_L", (*eyes)[1].lower);
-    const auto brows = find_brows(rig, whole, *surface, *eyes);
+    const auto brows = find_brows(rig, whole, *surface, paint, *eyes);
     found.add("brow_R", brows[0]);
     found.add("brow_L", brows[1]);
     below = std::min((*eyes)[0].centre.y, (*eyes)[1].centre.y) - (*eyes)[0].width * 0.3;

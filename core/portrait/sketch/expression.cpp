@@ -21,7 +21,7 @@ double beyond(double difference, const Usual& usual, double doubt) {
 
 /// Returns the gap between a brow and the eye below it.
 double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& eye) {
-  return brow.height - (eye ? 0.5 * eye->height : 0.0);
+  return brow.height - (eye ? eye->top : 0.0);
 }
 
 bool is_line(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::line; }
@@ -99,8 +99,7 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   const double doubt = rest ? rest->doubt : 1;
   const MouthMeasure* known = rest && rest->measures.mouth ? &*rest->measures.mouth : nullptr;
   Expression::Mouth out;
-  const double width = known ? known->width : k_mouth_width.mean;
-  const double ratio = drawn.width / width;
+  const double ratio = known ? drawn.width / known->width : drawn.relative_width / k_mouth_width.mean;
   // A mouth of one flat line is drawn in any width.
   const bool says_width = drawn.lines > 1 || ratio > 1 + k_widest_flat;
   out.widened = says_width ? std::clamp(beyond(ratio - 1, k_mouth_width, doubt), -k_most_narrowed, k_most_widened) : 0;
@@ -116,7 +115,8 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   double both = beyond(0.5 * (corners[0] + corners[1]), k_corner, doubt);
   const double uneven = beyond(corners[0] - corners[1], k_corner_skew, doubt);
   // The middle of an open mouth is lower than that of a shut one.
-  if (both > 0) both = std::max(0.0, both - (0.5 - k_upper_of_gap) * gap);
+  const bool laughs = gap > 0 && 0.5 * (corners[0] + corners[1]) > k_laughing * gap;
+  if (both > 0) both = std::max(laughs ? k_laughs : 0.0, both - (0.5 - k_upper_of_gap) * gap);
   for (std::size_t side = 0; side < 2; ++side) {
     const double own = both + (side == 0 ? 0.5 : -0.5) * uneven;
     out.corners[side] = std::clamp(own * scale, -k_most_corner, k_most_corner);
@@ -128,10 +128,11 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   if (kisses) out.corners = {0, 0};
   // A small round mouth has no corners; one that laughs is drawn in any width.
   if (out.widened < 0 && out.opened > 0) {
-    if (0.5 * (corners[0] + corners[1]) > k_laughing * gap) {
+    if (laughs) {
       out.widened = 0;
     } else {
       out.corners = {0, 0};
+      out.widened = std::max(out.widened, -k_narrowed_open);
     }
   }
   return out;
@@ -143,14 +144,18 @@ void add_companions(Expression& expression, const FaceMeasures& drawn) {
   const double tilt = 0.5 * (expression.brows[0]->tilted + expression.brows[1]->tilted);
   const double raised = 0.5 * (expression.brows[0]->raised + expression.brows[1]->raised);
   Expression::Mouth& mouth = *expression.mouth;
+  if (tilt > k_angry_tilt) {
+    for (auto& brow : expression.brows) brow->raised = std::min(brow->raised, 0.0);
+  }
   const bool afraid = tilt < 0 && (mouth.opened > 0 || mouth.widened > 0);
   const bool surprised = raised > 0 && mouth.opened > 0 && mouth.widened < 0;
   for (std::size_t side = 0; side < 2; ++side) {
     if ((afraid || surprised) && expression.closed[side] && *expression.closed[side] == 0 && !is_line(drawn.eyes[side]))
       expression.closed[side] = -k_startled;
   }
-  const bool disgusted =
-      tilt > 0 && drawn.wrinkled[0] && drawn.wrinkled[1] && mouth.corners[0] <= 0 && mouth.corners[1] <= 0;
+  const bool squeezed = expression.closed[0].value_or(0) > k_squeezed && expression.closed[1].value_or(0) > k_squeezed;
+  const bool queasy = (drawn.wrinkled[0] && drawn.wrinkled[1]) || drawn.mouth->queasy || squeezed;
+  const bool disgusted = tilt > 0 && queasy && mouth.corners[0] <= 0 && mouth.corners[1] <= 0;
   if (disgusted) mouth.sneered = k_sneer;
 }
 

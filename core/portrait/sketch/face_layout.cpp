@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "core/base/math.h"
 #include "core/curve/polyline.h"
 #include "core/portrait/sketch/habits.h"
+#include "core/portrait/sketch/hatching.h"
 
 namespace penpose::portrait {
 namespace {
@@ -23,6 +25,18 @@ struct Box {
   }
 };
 
+/// The mean angle between neighbouring pieces of an even line, radians.
+double turning_of(const std::vector<PxPoint>& even) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 1; i + 1 < even.size(); ++i) {
+    const PxPoint a = even[i] - even[i - 1], b = even[i + 1] - even[i];
+    if (!(geometry::dot(a, a) > 0) || !(geometry::dot(b, b) > 0)) continue;
+    sum += std::abs(base::atan2(a.x * b.y - a.y * b.x, geometry::dot(a, b)));
+    count += 1;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 /// Resamples each line evenly and measures its box.
 std::vector<FaceMark> marks_of(std::span<const std::vector<PxPoint>> lines) {
   std::vector<FaceMark> marks;
@@ -32,6 +46,7 @@ std::vector<FaceMark> marks_of(std::span<const std::vector<PxPoint>> lines) {
     mark.points = even ? std::move(*even) : std::vector<PxPoint>(k_mark_points, line.front());
     const double length = curve::arc_length<PxPoint>(line);
     mark.closed = geometry::distance(line.front(), line.back()) <= k_ends_meet * length;
+    mark.turning = turning_of(mark.points);
     Box box;
     for (const PxPoint& p : mark.points) box.add(p);
     mark.low = box.low;
@@ -46,10 +61,16 @@ double off(double value, double mean, double spread) {
   return 0.5 * d * d;
 }
 
-/// Returns -log of how likely a mark is the habit's part, less a constant.
-double cost_of(const FaceMark& mark, const PartHabit& habit) {
-  const PxPoint at = mark.middle();
-  const PxPoint size = mark.size();
+bool is_around_eyes(FacePart part) {
+  return part == FacePart::eye || part == FacePart::pupil || part == FacePart::fold || part == FacePart::brow;
+}
+
+/// Returns -log of how likely a mark is the habit's part, less a constant, on a face that is `scale` times as large as
+/// usual around its eyes.
+double cost_of(const FaceMark& mark, const PartHabit& habit, double scale) {
+  const double by = is_around_eyes(habit.part) ? 1.0 : 1.0 / scale;
+  const PxPoint at = mark.middle() * by;
+  const PxPoint size = mark.size() * by;
   const double wide = base::log(std::max(size.x, k_least_size));
   const double high = base::log(std::max(size.y, k_least_size));
   const double x = habit.sides ? std::abs(at.x) : at.x;
@@ -58,12 +79,12 @@ double cost_of(const FaceMark& mark, const PartHabit& habit) {
          off(high, base::log(habit.height), habit.height_spread);
 }
 
-bool within_face(const FaceMark& mark) {
-  const PxPoint at = mark.middle();
+bool within_face(const FaceMark& mark, double scale) {
+  const PxPoint at = mark.middle() * (1.0 / scale);
   return std::abs(at.x) < k_face_half_width && at.y > -k_face_above && at.y < k_face_below;
 }
 
-/// Returns whether a closed line fills most of its box, as a window does and an eye does not.
+/// Returns whether a closed line fills most of its box, as a window or a door does and an eye or a mouth does not.
 bool is_box(const FaceMark& mark) {
   if (!mark.closed || mark.size().y < k_box_height * mark.size().x) return false;
   double twice = 0;
@@ -75,18 +96,21 @@ bool is_box(const FaceMark& mark) {
   return 0.5 * std::abs(twice) > k_box_filled * mark.size().x * mark.size().y;
 }
 
-void label(FaceMark& mark) {
+/// Labels a mark with the likeliest part that is none of `without`.
+void label(FaceMark& mark, double scale, std::initializer_list<FacePart> without = {}) {
   mark.part = FacePart::unknown;
-  mark.cost = within_face(mark) ? k_unknown_cost : k_around_cost;
-  if (!within_face(mark)) mark.part = FacePart::around;
-  // A line that runs to and fro is no border of anything; brows are filled so.
-  const bool tangled = mark.length > k_tangled * (mark.size().x + mark.size().y);
-  const bool box = is_box(mark);
+  mark.cost = within_face(mark, scale) ? k_unknown_cost : k_around_cost;
+  if (!within_face(mark, scale)) mark.part = FacePart::around;
+  // A line that runs to and fro is no border of anything; brows and dots are filled so.
+  const bool tangled = mark.length > k_tangled * (mark.size().x + mark.size().y) || mark.turning > k_scribbled;
+  const bool box = !tangled && is_box(mark);
   for (const PartHabit& habit : part_habits()) {
-    if (tangled && habit.part != FacePart::brow) continue;
-    if (box && (habit.part == FacePart::eye || habit.part == FacePart::pupil)) continue;
+    if (std::find(without.begin(), without.end(), habit.part) != without.end()) continue;
+    if (tangled && habit.part != FacePart::brow && habit.part != FacePart::pupil) continue;
+    if (box && (habit.part == FacePart::eye || habit.part == FacePart::pupil || habit.part == FacePart::mouth))
+      continue;
     if (habit.form != LineForm::any && (habit.form == LineForm::closed) != mark.closed) continue;
-    const double cost = cost_of(mark, habit);
+    const double cost = cost_of(mark, habit, scale);
     if (cost >= mark.cost) continue;
     mark.cost = cost;
     mark.part = habit.part;
@@ -96,6 +120,21 @@ void label(FaceMark& mark) {
 
 bool is_straight(const FaceMark& mark) {
   return geometry::distance(mark.points.front(), mark.points.back()) > k_straight * mark.length;
+}
+
+/// Labels lines well within the outline of the head as something else than an outline, and not as an unwanted part.
+void keep_one_outline(std::vector<FaceMark>& marks, double scale, FacePart unwanted) {
+  const FaceMark* head = nullptr;
+  for (const FaceMark& mark : marks) {
+    if (mark.part == FacePart::outline && (head == nullptr || mark.size().y > head->size().y)) head = &mark;
+  }
+  if (head == nullptr) return;
+  const PxPoint low = head->low + PxPoint{1, 1} * k_within_outline,
+                high = head->high - PxPoint{1, 1} * k_within_outline;
+  for (FaceMark& mark : marks) {
+    const bool within = mark.low.x > low.x && mark.low.y > low.y && mark.high.x < high.x && mark.high.y < high.y;
+    if (mark.part == FacePart::outline && within) label(mark, scale, {FacePart::outline, unwanted});
+  }
 }
 
 /// Drops construction lines: a straight line that is longer than the rest of the mouth only marks its place.
@@ -120,8 +159,8 @@ void find_mouth(FaceLayout& layout) {
   for (FaceMark& mark : layout.marks) {
     if (mark.part == FacePart::mouth) return;
     for (const PartHabit& habit : part_habits()) {
-      if (habit.part != FacePart::mouth || cost_of(mark, habit) >= least) continue;
-      least = cost_of(mark, habit);
+      if (habit.part != FacePart::mouth || cost_of(mark, habit, layout.scale) >= least) continue;
+      least = cost_of(mark, habit, layout.scale);
       best = &mark;
     }
   }
@@ -130,23 +169,59 @@ void find_mouth(FaceLayout& layout) {
   best->cost = least;
 }
 
-/// Keeps the likeliest mouth and the lines near it, and drops the label of all other mouths.
+/// Returns whether a mark is near enough to the mouth's first line to be of the same mouth.
+bool is_of_mouth(const FaceMark& mark, const FaceMark& first) {
+  const PxPoint d = mark.middle() - first.middle();
+  const PxPoint reach = (first.size() + mark.size()) * 0.5 + PxPoint{k_mouth_reach, k_mouth_reach};
+  return std::abs(d.x) < reach.x && std::abs(d.y) < reach.y;
+}
+
+/// Returns whether a mark lies within the box of a larger one.
+bool is_upon(const FaceMark& mark, const FaceMark& larger) {
+  const PxPoint at = mark.middle();
+  return at.x > larger.low.x && at.x < larger.high.x && at.y > larger.low.y && at.y < larger.high.y &&
+         mark.size().x < larger.size().x;
+}
+
+double weight_of(const FaceMark& mark) { return std::sqrt(std::max(k_least_size, mark.length)); }
+
+/// Keeps one mouth and the lines near it: the one with which all lines that could be a mouth are likeliest, since those
+/// that are not of it are something else, such as a large nose above it.
 void keep_one_mouth(FaceLayout& layout) {
   drop_construction_line(layout);
-  const FaceMark* best = nullptr;
+  std::vector<FaceMark> others;
   for (const FaceMark& mark : layout.marks) {
-    if (mark.part == FacePart::mouth && (!best || mark.cost < best->cost)) best = &mark;
+    others.push_back(mark);
+    if (mark.part == FacePart::mouth) label(others.back(), layout.scale, {FacePart::mouth});
+  }
+  keep_one_outline(others, layout.scale, FacePart::mouth);
+  // What lies on a nose is one of its nostrils.
+  for (const FaceMark& nose : layout.marks) {
+    for (std::size_t i = 0; i < others.size() && nose.part == FacePart::nose; ++i) {
+      if (layout.marks[i].part != FacePart::mouth || others[i].cost <= k_nostril_cost || !is_upon(others[i], nose))
+        continue;
+      others[i].part = FacePart::nose;
+      others[i].cost = k_nostril_cost;
+    }
+  }
+  const FaceMark* best = nullptr;
+  double least = 0;
+  for (const FaceMark& first : layout.marks) {
+    if (first.part != FacePart::mouth) continue;
+    double sum = 0;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      const FaceMark& mark = layout.marks[i];
+      if (mark.part == FacePart::mouth)
+        sum += weight_of(mark) * (is_of_mouth(mark, first) ? mark.cost : others[i].cost);
+    }
+    if (best != nullptr && sum >= least) continue;
+    best = &first;
+    least = sum;
   }
   if (best == nullptr) return;
-  const PxPoint at = best->middle();
-  const PxPoint reach = best->size() * 0.5 + PxPoint{k_mouth_reach, k_mouth_reach};
-  for (FaceMark& mark : layout.marks) {
-    const PxPoint d = mark.middle() - at;
-    const bool near = std::abs(d.x) < reach.x + 0.5 * mark.size().x && std::abs(d.y) < reach.y + 0.5 * mark.size().y;
-    if (mark.part == FacePart::mouth && !near) {
-      mark.part = FacePart::unknown;
-      mark.cost = std::max(mark.cost, 0.5 * k_unknown_cost);
-    }
+  const FaceMark first = *best;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (layout.marks[i].part == FacePart::mouth && !is_of_mouth(layout.marks[i], first)) layout.marks[i] = others[i];
   }
 }
 
@@ -172,8 +247,10 @@ double unlike_eyes(const FaceLayout& layout) {
   return least;
 }
 
-FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along, bool whole_face = true) {
+FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along, double scale,
+                bool whole_face = true) {
   FaceLayout layout;
+  layout.scale = scale;
   layout.middle = middle;
   layout.along = along;
   double sum = 0;
@@ -188,9 +265,10 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
     one.low = box.low;
     one.high = box.high;
     one.length = curve::arc_length<PxPoint>(one.points);
-    label(one);
+    label(one, scale);
     layout.marks.push_back(std::move(one));
   }
+  keep_one_outline(layout.marks, scale, FacePart::outline);
   if (whole_face) find_mouth(layout);
   keep_one_mouth(layout);
   std::array<bool, 2> eye{false, false}, brow{false, false};
@@ -200,14 +278,14 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
     if (mark.part == FacePart::eye || mark.part == FacePart::pupil) eye[side] = true;
     if (mark.part == FacePart::brow) brow[side] = true;
     if (mark.part == FacePart::mouth) mouth = true;
-    const double weight = std::sqrt(std::max(k_least_size, mark.length));
-    sum += weight * mark.cost;
-    count += weight;
+    sum += weight_of(mark) * mark.cost;
+    count += weight_of(mark);
   }
   layout.cost = (count > 0 ? sum / count : k_unknown_cost) + k_unlike_cost * unlike_eyes(layout);
   if (!mouth || !eye[0] || !eye[1]) layout.cost += k_unknown_cost;
   if (brow[0] != brow[1]) layout.cost += k_lone_brow_cost;
   if (!brow[0] && !brow[1]) layout.cost += k_no_brows_cost;
+  layout.cost += k_scale_cost * base::log(scale) * base::log(scale);
   return layout;
 }
 
@@ -246,7 +324,7 @@ FaceLayout refined(const std::vector<FaceMark>& marks, const FaceLayout& found) 
   if (!(weight > 0)) return found;
   const PxPoint l = found.on_sheet(left * (1 / weight));
   const PxPoint r = found.on_sheet(right * (1 / weight));
-  FaceLayout again = laid(marks, (l + r) * 0.5, r - l);
+  FaceLayout again = laid(marks, (l + r) * 0.5, r - l, found.scale);
   return again.cost < found.cost + k_refined_gain ? again : found;
 }
 
@@ -261,16 +339,29 @@ PxPoint FaceLayout::in_frame(const PxPoint& p) const {
 PxPoint FaceLayout::on_sheet(const PxPoint& p) const { return middle + along * p.x + PxPoint{-along.y, along.x} * p.y; }
 
 FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, PxPoint along) {
-  return laid(marks_of(lines), middle, along, false);
+  JoinedLines joined = join_hatching(lines);
+  FaceLayout layout = laid(marks_of(joined.lines), middle, along, 1.0, false);
+  layout.mark_of_line = std::move(joined.joined_in);
+  return layout;
 }
 
 std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines) {
-  const std::vector<FaceMark> marks = marks_of(lines);
-  std::optional<FaceLayout> best;
+  JoinedLines joined = join_hatching(lines);
+  const std::vector<FaceMark> marks = marks_of(joined.lines);
+  std::vector<FaceLayout> pairs;
   for (const FaceMark& a : marks) {
     for (const FaceMark& b : marks) {
-      if (!may_be_eyes(a, b)) continue;
-      FaceLayout one = laid(marks, (a.middle() + b.middle()) * 0.5, b.middle() - a.middle());
+      if (may_be_eyes(a, b))
+        pairs.push_back(laid(marks, (a.middle() + b.middle()) * 0.5, b.middle() - a.middle(), 1.0));
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const FaceLayout& a, const FaceLayout& b) { return a.cost < b.cost; });
+  if (pairs.size() > k_most_scaled) pairs.resize(k_most_scaled);
+  std::optional<FaceLayout> best;
+  for (FaceLayout& pair : pairs) {
+    for (const double scale : k_scales) {
+      FaceLayout one = laid(marks, pair.middle, pair.along, scale);
       if (!best || one.cost < best->cost) best = std::move(one);
     }
   }
@@ -280,6 +371,7 @@ std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines)
     return mark.part == FacePart::mouth && mark.cost < k_most_mouth_cost;
   });
   if (!has_mouth || best->cost >= k_unknown_cost) return std::nullopt;
+  best->mark_of_line = std::move(joined.joined_in);
   return best;
 }
 

@@ -32,6 +32,7 @@ struct FaceMark {
   std::vector<PxPoint> points;  ///< evenly along the line
   PxPoint low{0, 0}, high{0, 0};
   double length = 0;
+  double turning = 0;   ///< mean angle between neighbouring pieces, radians
   bool closed = false;  ///< its ends meet
   FacePart part = FacePart::unknown;
   bool right = false;  ///< of parts of two sides: at the right of the picture, so on the face's left
@@ -43,10 +44,12 @@ struct FaceMark {
 
 /// The place of a face on a sheet and the part that each line shows.
 struct FaceLayout {
-  PxPoint middle{0, 0};         ///< between the eyes, px of the sheet
-  PxPoint along{1, 0};          ///< from the middle of the eye at the left to that of the other, px
-  std::vector<FaceMark> marks;  ///< one a line
-  double cost = 0;              ///< of the lines within the face, mean
+  PxPoint middle{0, 0};                   ///< between the eyes, px of the sheet
+  PxPoint along{1, 0};                    ///< from the middle of the eye at the left to that of the other, px
+  double scale = 1;                       ///< the size of the face, without its eyes, as a multiple of the usual one
+  std::vector<FaceMark> marks;            ///< one a line, or one for strokes that hatch together
+  std::vector<std::size_t> mark_of_line;  ///< one a line: its number in `marks`
+  double cost = 0;                        ///< of the lines within the face, mean
   [[nodiscard]] PxPoint in_frame(const PxPoint& p) const;
   [[nodiscard]] PxPoint on_sheet(const PxPoint& p) const;
 };

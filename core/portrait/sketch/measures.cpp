@@ -121,7 +121,14 @@ Bend bend_of(const Marks& marks, const Extent& extent) {
   return out;
 }
 
-BrowMeasure measure_brow(const Marks& marks, bool right) {
+BrowMeasure measure_brow(const Marks& all, bool right) {
+  // Short strokes far from the rest are no part of a brow.
+  double least = 1e300;
+  for (const FaceMark* mark : all) least = std::min(least, mark->cost);
+  Marks marks;
+  for (const FaceMark* mark : all) {
+    if (mark->cost <= least + k_less_likely) marks.push_back(mark);
+  }
   const Extent extent = extent_of(marks);
   const Bend bend = bend_of(marks, extent);
   const double half = 0.5 * extent.width();
@@ -138,7 +145,7 @@ EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
   Marks both = borders;
   both.insert(both.end(), pupils.begin(), pupils.end());
   const Extent whole = extent_of(both);
-  eye.height = whole.high.y - whole.low.y;
+  eye.top = -whole.low.y;
   if (borders.empty()) {
     eye.kind = EyeKind::dot;
     return eye;
@@ -156,6 +163,7 @@ EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
   const std::vector<double> ys = layers(wide, middle, doubled);
   const FaceMark* iris = nullptr;
   for (const FaceMark* mark : pupils) {
+    if (mark->size().x < k_lash * mark->size().y) continue;  // a lash: dashes are eyes only without lids
     if (!iris || mark->size().x > iris->size().x) iris = mark;
   }
   double upper = 0, lower = 0, top = 0;
@@ -170,6 +178,7 @@ EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
       // The lids are those next to the iris.
       const double at = iris->middle().y;
       upper = ys.front();
+      lower = iris->high.y;
       for (const double y : ys) {
         if (y <= at) upper = y;
       }
@@ -208,7 +217,32 @@ EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
   return eye;
 }
 
-MouthMeasure measure_mouth(const Marks& marks) {
+/// How far a line strays from the parabola that fits it best: root mean square.
+double strays(const FaceMark& mark) {
+  const Extent extent{mark.low, mark.high};
+  const Bend bend = bend_of({&mark}, extent);
+  const double half = 0.5 * extent.width();
+  double squares = 0;
+  for (const PxPoint& p : mark.points) {
+    const double t = half > 0 ? (p.x - extent.middle()) / half : 0;
+    const double d = p.y - (bend.at + bend.slope * t + bend.curve * (t * t - 1.0 / 3.0));
+    squares += d * d;
+  }
+  return std::sqrt(squares / static_cast<double>(mark.points.size()));
+}
+
+/// Returns whether the lips are drawn wavy, or a tongue hangs over the lower one.
+bool is_queasy(const Marks& marks, const Extent& extent) {
+  return std::any_of(marks.begin(), marks.end(), [&](const FaceMark* mark) {
+    const PxPoint size = mark->size();
+    const bool wide = size.x >= k_from_corner_to_corner * extent.width();
+    if (wide) return !mark->closed && strays(*mark) > k_wavy * extent.width();
+    const bool upright = size.y > k_tongue_upright * size.x;
+    return upright && size.x > k_tongue_width * extent.width() && mark->high.y > extent.high.y;
+  });
+}
+
+MouthMeasure measure_mouth(const Marks& marks, double scale) {
   MouthMeasure mouth;
   double widest = 0;
   for (const FaceMark* mark : marks) widest = std::max(widest, mark->size().x);
@@ -218,6 +252,8 @@ MouthMeasure measure_mouth(const Marks& marks) {
   }
   const Extent extent = extent_of(wide);
   mouth.width = extent.width();
+  mouth.relative_width = mouth.width / scale;
+  mouth.queasy = is_queasy(marks, extent);
   const double w = std::max(1e-9, mouth.width);
   std::vector<double> ys = layers(wide, extent.middle(), k_doubled * w);
   // Lips meet in a shorter line.
@@ -225,15 +261,22 @@ MouthMeasure measure_mouth(const Marks& marks) {
   if (ys.size() >= 2) {
     Marks between = wide;
     const double inset = k_seam_inset * w;
+    double highest = 1e300, lowest = -1e300;
     for (const FaceMark* mark : marks) {
       const double y = mark->middle().y;
-      const bool within = y > ys.front() && y < ys.back() && mark->low.x > extent.low.x + inset &&
+      const double share = (y - ys.front()) / (ys.back() - ys.front());
+      const bool flat = !mark->closed && mark->size().y < k_flat_seam * mark->size().x;
+      const bool within = flat && std::abs(share - 0.5) < k_middle_of_lips && mark->low.x > extent.low.x + inset &&
                           mark->high.x < extent.high.x - inset && mark->size().x >= k_seam * widest;
       if (!within) continue;
       meet = true;
+      highest = std::min(highest, y);
+      lowest = std::max(lowest, y);
       if (mark->size().x < k_from_corner_to_corner * widest) between.push_back(mark);
     }
     ys = layers(between, extent.middle(), k_doubled * w);
+    // Two lines apart are the borders of an opening.
+    meet = meet && lowest - highest < k_one_seam * w;
   }
   // Corners: the ends of all that is wide, near either side.
   std::array<double, 2> ends{0, 0};
@@ -310,7 +353,7 @@ FaceMeasures measure(const FaceLayout& layout) {
     out.wrinkled[side] = wrinkles(FacePart::cheek) || wrinkles(FacePart::nose);
   }
   const Marks mouth = marks_of(layout, FacePart::mouth, {});
-  if (!mouth.empty()) out.mouth = measure_mouth(mouth);
+  if (!mouth.empty()) out.mouth = measure_mouth(mouth, layout.scale);
   return out;
 }
 

@@ -27,16 +27,18 @@ struct EyeMeasure {
   std::optional<double>
       covered;  ///< by the upper lid: the share of the iris, or of the whole eye; below 0, white shows
   double width = 0;
-  double height = 0;  ///< of all that is drawn of it
+  double top = 0;  ///< of all that is drawn of it, above the middle of the eyes
 };
 
 struct MouthMeasure {
   double width = 0;
+  double relative_width = 0;            ///< for the size of the face (FaceLayout::scale)
   double gap = 0;                       ///< between the lips, of the width
   std::array<double, 2> corners{0, 0};  ///< height of the corners over the middle of the lips, of the width: at the
                                         ///< left of the picture, at the right
   std::size_t lines = 1;                ///< one above the other
   bool shut = true;                     ///< one line, or lips with a line between them
+  bool queasy = false;                  ///< wavy, or with a tongue
   double upper = 0;                     ///< the middle of the upper border over the middle of the mouth, of the width
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 std::vector<LineRead> lines_of(const FaceLayout& layout, const ModelFace& face) {
   std::vector<LineRead> out;
-  for (const FaceMark& mark : layout.marks) {
+  for (const std::size_t number : layout.mark_of_line) {
+    const FaceMark& mark = layout.marks[number];
     LineRead line;
     line.curve = face.curve_of(mark.part, mark.right, false);
     if (line.curve && mark.closed && mark.part != FacePart::brow)

@@ -52,7 +52,7 @@ void take_by_place(const ModelFace& face, const Drawing& drawing, std::span<Line
   for (std::size_t i = 0; i < read.size(); ++i) {
     const bool given = i < drawing.given.size() && drawing.given[i].has_value();
     if (read[i].curve || given) continue;
-    const FaceMark& mark = layout.marks[i];
+    const FaceMark& mark = layout.marks[layout.mark_of_line[i]];
     const bool lower = mark.part == FacePart::mouth && face.below_mouth(mark.middle());
     read[i].curve = face.curve_of(mark.part, mark.right, lower);
   }

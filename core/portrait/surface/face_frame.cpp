@@ -12,6 +12,8 @@ namespace {
 
 /// Samples of what moves less than this share of what moves most are not the face.
 constexpr double k_still = 0.04;
+/// Shapes of a face are no larger than this many times their median.
+constexpr double k_larger_than_usual = 3.0;
 /// A plane between pairs is not turned farther from the front than the cosine of this: they are searched for near the
 /// planes of the axes, and may be wrong where a model looks elsewhere.
 constexpr double k_near_front = 0.97;
@@ -30,6 +32,24 @@ FaceFrame frame_of(const ModelVector& left, const ModelPoint& origin) {
 
 bool is_shape(const intent::WholeModel& whole, std::size_t control) {
   return whole.joint[control] == intent::k_no_partner;
+}
+
+/// The diagonal of the box of what a shape moves, model units.
+double extent_of(const intent::WholeModel& whole, std::size_t control) {
+  geometry::Box box;
+  for (const std::uint32_t sample : whole.fields->field(control).samples) box.add(whole.fields->places()[sample]);
+  return box.empty() ? 0.0 : box.diagonal();
+}
+
+/// The largest extent of a shape that is one of the face: others change the build of the body.
+double largest_of_face(const intent::WholeModel& whole) {
+  std::vector<double> extents;
+  for (std::size_t k = 0; k < whole.fields->control_count(); ++k) {
+    if (is_shape(whole, k) && !whole.fields->field(k).samples.empty()) extents.push_back(extent_of(whole, k));
+  }
+  if (extents.empty()) return 0.0;
+  std::sort(extents.begin(), extents.end());
+  return k_larger_than_usual * extents[(extents.size() - 1) / 2];
 }
 
 /// The plane between controls and those that do the same on the other side: its normal, and the origin put on it.
@@ -116,8 +136,9 @@ ModelVector FaceFrame::turned(const ModelVector& v) const {
 std::vector<double> moved_by_shapes(const intent::WholeModel& whole) {
   const intent::ControlFields& fields = *whole.fields;
   std::vector<double> moved(fields.places().size(), 0.0);
+  const double largest = largest_of_face(whole);
   for (std::size_t k = 0; k < fields.control_count(); ++k) {
-    if (!is_shape(whole, k)) continue;
+    if (!is_shape(whole, k) || extent_of(whole, k) > largest) continue;
     const intent::ControlField field = fields.field(k);
     for (std::size_t i = 0; i < field.samples.size(); ++i) moved[field.samples[i]] += geometry::length(field.ways[i]);
   }

@@ -6,10 +6,10 @@
 
 #include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
+#include "core/picture/jpeg.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/surface_picture.h"
 #include "ui/files/load_model.h"
-#include "ui/render/picture/jpeg.h"
 
 namespace penpose::app {
 namespace {
@@ -28,7 +28,7 @@ bool is_picture(const std::string& name) {
 Thumbnails::Pixels picture_thumbnail(const std::string& path) {
   const auto read = read_picture(path);
   if (!read) return {};
-  const render::Image small = render::shrunk(*read, Thumbnails::k_px);
+  const render::Image small = picture::shrunk(*read, Thumbnails::k_px);
   Thumbnails::Pixels pixels(4 * k_side * k_side, 0);
   const int left = (Thumbnails::k_px - small.width) / 2;
   const int top = (Thumbnails::k_px - small.height) / 2;

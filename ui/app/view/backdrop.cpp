@@ -9,7 +9,7 @@
 #include "core/geometry/camera.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
-#include "ui/render/picture/jpeg.h"
+#include "core/picture/jpeg.h"
 
 namespace penpose::app {
 namespace {
@@ -64,9 +64,9 @@ base::Result<render::Image> read_picture(const std::string& path) {
   if (!bytes) return bytes.error();
   // By what it is, and not by what it is called.
   const bool png = bytes->size() > 1 && (*bytes)[0] == 0x89 && (*bytes)[1] == 'P';
-  auto image = png ? render::decode_png(*bytes) : render::decode_jpeg(*bytes, k_most_backdrop_px);
+  auto image = png ? render::decode_png(*bytes) : picture::decode_jpeg(*bytes, k_most_backdrop_px);
   if (!image) return image.error();
-  return render::shrunk(*image, k_most_backdrop_px);
+  return picture::shrunk(*image, k_most_backdrop_px);
 }
 
 base::Result<std::shared_ptr<Backdrop>> Backdrop::open(const std::string& path, const geometry::ModelPoint& middle,

@@ -5,8 +5,9 @@
 
 #include "core/io/picture_lines/svg/read_svg_lines.h"
 #include "core/io/picture_lines/trace/trace_lines.h"
-#include "ui/render/picture/jpeg.h"
-#include "ui/render/picture/texture_picture.h"
+#include "core/picture/decode_picture.h"
+#include "core/picture/jpeg.h"
+#include "ui/render/picture/image.h"
 
 namespace penpose::render {
 namespace {
@@ -15,7 +16,7 @@ constexpr int k_most_traced_px = 4096;  ///< a side
 constexpr int k_largest_px = 16384;     ///< a side of what is made smaller first
 
 base::Result<io::PictureLines> trace(const Image& picture) {
-  const Image smaller = shrunk(picture, k_most_traced_px);
+  const Image smaller = picture::shrunk(picture, k_most_traced_px);
   auto drawing = io::trace_lines({smaller.width, smaller.height, smaller.pixels});
   if (!drawing) return drawing;
   const int factor = (std::max(picture.width, picture.height) + k_most_traced_px - 1) / k_most_traced_px;
@@ -35,7 +36,7 @@ base::Result<io::PictureLines> read_picture_lines(base::Bytes bytes) {
   if (!text.starts_with("\x89PNG") && !text.starts_with("\xff\xd8") && !text.starts_with("RIFF")) {
     return base::Error{"is no drawing that can be read", "", "choose an SVG, PNG, JPEG or WebP file"};
   }
-  const auto picture = decode_picture(bytes, k_largest_px);
+  const auto picture = picture::decode_picture(bytes, k_largest_px);
   if (!picture) return picture.error();
   return trace(*picture);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/render/picture/texture_picture.h"
+#include "core/picture/decode_picture.h"
 
 namespace penpose::app {
 
@@ -27,7 +27,7 @@ std::optional<PosePictures::Corners> PosePictures::place_of(const document::Docu
 std::optional<PosePictures::Corners> PosePictures::place_of(const std::string& name, base::Bytes png) {
   return place(Picture{{}, {}, {}, name}, [&] {
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * k_px * k_px), 0);
-    const auto image = render::decode_picture(png, k_px);
+    const auto image = picture::decode_picture(png, k_px);
     if (!image || image->width < 1 || image->height < 1) return pixels;
     // Pictures of others may have another size: the nearest px of each.
     for (int y = 0; y < k_px; ++y) {

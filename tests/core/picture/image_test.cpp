@@ -1,10 +1,10 @@
-#include "ui/render/picture/image.h"
+#include "core/picture/image.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
 #include <span>
 
-namespace penpose::render {
+namespace penpose::picture {
 namespace {
 
 TEST(Image, PngHoldsThePixels) {
@@ -56,4 +56,4 @@ TEST(Image, ASizeThatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace penpose::render
+}  // namespace penpose::picture

@@ -1,9 +1,9 @@
-#include "ui/render/picture/texture_picture.h"
+#include "core/picture/decode_picture.h"
 
 #include <gtest/gtest.h>
 #include <webp/encode.h>
 
-namespace penpose::render {
+namespace penpose::picture {
 namespace {
 
 /// A picture whose px say where they are.
@@ -67,4 +67,4 @@ TEST(TexturePicture, AHugeSizeInAFewBytesIsRefusedBeforeMemoryIsTaken) {
 }
 
 }  // namespace
-}  // namespace penpose::render
+}  // namespace penpose::picture

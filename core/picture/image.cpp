@@ -1,8 +1,10 @@
-#include "ui/render/picture/image.h"
+#include "core/picture/image.h"
 
 #include <png.h>
 
-namespace penpose::render {
+#include "core/picture/internal/limits.h"
+
+namespace penpose::picture {
 namespace {
 
 void append(png_structp png, png_bytep data, png_size_t size) {
@@ -61,9 +63,8 @@ base::Result<Image> decode_png(std::span<const std::uint8_t> bytes) {
     return fail("the picture is larger than 16384 px");
   }
   // A few bytes may say that they are a huge picture.
-  constexpr std::uint64_t k_always_px = 10'000'000;
-  constexpr std::uint64_t k_px_of_byte = 8;
-  if (std::uint64_t{png.width} * png.height > k_always_px + k_px_of_byte * bytes.size()) {
+  constexpr std::uint64_t k_px_of_png_byte = 8;
+  if (std::uint64_t{png.width} * png.height > k_always_px + k_px_of_png_byte * bytes.size()) {
     png_image_free(&png);
     return fail("the picture unfolds to far more pixels than the file has bytes");
   }
@@ -74,4 +75,4 @@ base::Result<Image> decode_png(std::span<const std::uint8_t> bytes) {
   return image;
 }
 
-}  // namespace penpose::render
+}  // namespace penpose::picture

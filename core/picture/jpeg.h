@@ -4,9 +4,9 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "ui/render/picture/image.h"
+#include "core/picture/image.h"
 
-namespace penpose::render {
+namespace penpose::picture {
 
 /// The picture of a JPEG file, halved while it is read until no side is longer than `most_px`, an eighth of its size at
 /// the least. Errors: no JPEG, damaged beyond reading, or of more than 16384 px a side. What is cut off is grey.
@@ -16,4 +16,4 @@ namespace penpose::render {
 /// than `most_px`.
 [[nodiscard]] Image shrunk(const Image& image, int most_px);
 
-}  // namespace penpose::render
+}  // namespace penpose::picture

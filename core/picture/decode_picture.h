@@ -4,9 +4,9 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "ui/render/picture/image.h"
+#include "core/picture/image.h"
 
-namespace penpose::render {
+namespace penpose::picture {
 
 /// The picture of a PNG, JPEG or WebP file, told by its content, made smaller while it is unpacked until no side is
 /// longer than `most_px` (at least 1). Memory is that of the smaller picture and a few rows; of interlaced PNG files,
@@ -15,4 +15,4 @@ namespace penpose::render {
 /// far more px than the file has bytes.
 [[nodiscard]] base::Result<Image> decode_picture(std::span<const std::uint8_t> bytes, int most_px);
 
-}  // namespace penpose::render
+}  // namespace penpose::picture

@@ -1,4 +1,4 @@
-#include "ui/render/picture/jpeg.h"
+#include "core/picture/jpeg.h"
 
 #include <cstddef>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <jpeglib.h>
 #include <string>
 
-namespace penpose::render {
+namespace penpose::picture {
 namespace {
 
 /// A picture whose left half is one colour and whose right half is another, as libjpeg writes it.
@@ -119,4 +119,4 @@ TEST(Jpeg, ShrinkingTakesTheMean) {
 }
 
 }  // namespace
-}  // namespace penpose::render
+}  // namespace penpose::picture

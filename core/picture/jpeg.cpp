@@ -1,4 +1,4 @@
-#include "ui/render/picture/jpeg.h"
+#include "core/picture/jpeg.h"
 
 // jpeglib.h names FILE and size_t and includes neither.
 #include <cstddef>
@@ -9,14 +9,14 @@
 #include <csetjmp>
 #include <jpeglib.h>
 
-namespace penpose::render {
+#include "core/picture/internal/limits.h"
+
+namespace penpose::picture {
 namespace {
 
 constexpr unsigned k_largest = 16384;
 /// Progressive pictures of a few bytes can ask for scan after scan.
 constexpr int k_most_scans = 200;
-constexpr std::uint64_t k_always_px = 10'000'000;
-constexpr std::uint64_t k_px_of_byte = 400;
 
 struct Failure {
   jpeg_error_mgr manager;
@@ -128,4 +128,4 @@ Image shrunk(const Image& image, int most_px) {
   return small;
 }
 
-}  // namespace penpose::render
+}  // namespace penpose::picture

@@ -1,4 +1,4 @@
-#include "ui/render/picture/texture_picture.h"
+#include "core/picture/decode_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -6,15 +6,14 @@
 #include <string>
 #include <webp/decode.h>
 
-#include "ui/render/picture/jpeg.h"
+#include "core/picture/internal/limits.h"
+#include "core/picture/jpeg.h"
 
-namespace penpose::render {
+namespace penpose::picture {
 namespace {
 
 constexpr std::uint64_t k_most_px = std::uint64_t{1} << 26;
 constexpr std::uint64_t k_most_interlaced_px = std::uint64_t{1} << 24;
-constexpr std::uint64_t k_always_px = 10'000'000;
-constexpr std::uint64_t k_px_of_byte = 400;
 
 base::Error wrong(std::string what) { return {std::move(what), "", "export the picture again"}; }
 
@@ -221,4 +220,4 @@ base::Result<Image> decode_picture(std::span<const std::uint8_t> bytes, int most
   return wrong("is no PNG, JPEG or WebP picture");
 }
 
-}  // namespace penpose::render
+}  // namespace penpose::picture
