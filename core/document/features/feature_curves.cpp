@@ -80,6 +80,12 @@ void take_named(std::vector<Sought>& sought, const std::vector<portrait::Feature
   }
 }
 
+/// Curves of the eyes, brows and lips are used even if they are unsure: every face has them.
+bool is_of_every_face(const std::string& name) {
+  return name.starts_with("eyelid_") || name.starts_with("brow_") || name.starts_with("lip_");
+}
+constexpr double k_least_sure = 0.1;
+
 /// Those that a model names.
 std::vector<portrait::FeatureCurve> named_curves(const Model& model) {
   std::vector<portrait::FeatureCurve> out;
@@ -116,8 +122,8 @@ base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::
   take_named(sought, out.curves, rest);
   for (Sought& one : sought) {
     if (one.sureness < portrait::k_sure) {
-      out.unsure.push_back(std::move(one.curve.name));
-      continue;
+      out.unsure.push_back(one.curve.name);
+      if (one.sureness < k_least_sure || !is_of_every_face(one.curve.name)) continue;
     }
     const bool listed = std::any_of(known->curves.begin(), known->curves.end(),
                                     [&](const auto& other) { return other.name == one.curve.name; });

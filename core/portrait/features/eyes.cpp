@@ -140,7 +140,8 @@ Eye eye_of(const FaceSurface& surface, const Opening& opening, bool outer_left) 
   return eye;
 }
 
-/// How far the best control closes an eye: 0..1.
+}  // namespace
+
 double closing(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface, const Eye& eye) {
   std::vector<std::uint32_t> vertices;
   for (const FoundLine* line : {&eye.upper, &eye.lower}) {
@@ -165,8 +166,6 @@ double closing(const rig::Rig& rig, const intent::WholeModel& whole, const FaceS
   }
   return std::min(1.0, most / open);
 }
-
-}  // namespace
 
 std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const intent::WholeModel& whole,
                                             const FaceSurface& surface) {

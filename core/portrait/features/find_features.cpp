@@ -1,10 +1,13 @@
 #include "core/portrait/features/find_features.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include "core/portrait/features/brows.h"
 #include "core/portrait/features/eyes.h"
+#include "core/portrait/features/flat_face.h"
 #include "core/portrait/features/lip_border.h"
 #include "core/portrait/features/mouth_seam.h"
 #include "core/portrait/features/nose_and_jaw.h"
@@ -15,20 +18,36 @@ namespace {
 
 class Collection {
  public:
-  explicit Collection(const FaceSurface& surface) : surface_(surface) {}
+  explicit Collection(const mesh::TriangleMesh& mesh) : mesh_(mesh) {}
   void add(const char* name, const FoundLine& line) {
     FoundCurve found{{name, {}}, line.sureness};
     for (const mesh::MeshPoint& point : line.points) {
-      found.curve.points.push_back(posing::at_mesh_point(point, surface_.mesh().triangles()));
+      found.curve.points.push_back(posing::at_mesh_point(point, mesh_.triangles()));
     }
     if (found.curve.points.size() >= 2) curves_.push_back(std::move(found));
   }
   [[nodiscard]] std::vector<FoundCurve> take() { return std::move(curves_); }
 
  private:
-  const FaceSurface& surface_;
+  const mesh::TriangleMesh& mesh_;
   std::vector<FoundCurve> curves_;
 };
+
+std::vector<FoundCurve> curves_of(const FlatFace& face, const mesh::TriangleMesh& mesh) {
+  Collection found(mesh);
+  constexpr std::array<const char*, 2> k_side{"_R", "_L"};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string end = k_side[side];
+    found.add(("eyelid_upper" + end).c_str(), face.upper_lids[side]);
+    found.add(("eyelid_lower" + end).c_str(), face.lower_lids[side]);
+    found.add(("brow" + end).c_str(), face.brows[side]);
+  }
+  found.add("lip_upper_inner", face.between_lips);
+  found.add("lip_lower_inner", face.between_lips);
+  found.add("lip_upper_outer", face.upper_lip);
+  found.add("lip_lower_outer", face.lower_lip);
+  return found.take();
+}
 
 }  // namespace
 
@@ -37,8 +56,11 @@ std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleM
                                       const SurfacePaint& paint) {
   const auto surface = FaceSurface::look_at(mesh, whole, front_yaw_degrees);
   if (!surface) return {};
-  Collection found(*surface);
+  Collection found(mesh);
   const auto eyes = find_eyes(rig, whole, *surface);
+  if (!eyes) {
+    if (const auto flat = find_flat_face(rig, whole, *surface, paint)) return curves_of(*flat, mesh);
+  }
   double below = surface->place().box.maximum.y;
   if (eyes) {
     found.add("eyelid_upper_R", (*eyes)[0].upper);

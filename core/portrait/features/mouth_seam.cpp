@@ -16,6 +16,8 @@ constexpr double k_level = 0.02;
 constexpr int k_bridge = 3;
 /// How far a seam may rise or fall from one column to the next, px.
 constexpr int k_climb = 3;
+/// The shorter side of a mouth as a share of the longer one, and its width as one of the picture's height, at least.
+constexpr double k_lopsided_seam = 0.4, k_narrowest = 0.03;
 /// How sure a seam is for being an opening of the mesh.
 constexpr double k_of_opening = 0.5;
 /// Lips roll in this far before they end, as a share of the width.
@@ -150,7 +152,7 @@ std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const intent::Whol
     const double right = middle - seam.columns.front().x;
     const double left = seam.columns.back().x - middle;
     const double width = (right + left) * image.px();
-    if (!(std::min(right, left) > 0.5 * std::max(right, left)) || width < 0.06 * height) continue;
+    if (!(std::min(right, left) > k_lopsided_seam * std::max(right, left)) || width < k_narrowest * height) continue;
     const double step = std::abs(image.depth(middle, b.upper) - image.depth(middle, b.lower));
     seam.parting = parting[i] / width;
     // Lips lie in one depth; a chin in front of a neck and a nose do not.

@@ -247,6 +247,20 @@ double unlike_eyes(const FaceLayout& layout) {
   return least;
 }
 
+/// A pupil that touches no border of its eye costs more if the eye has borders.
+void charge_for_stray_pupils(FaceLayout& layout) {
+  for (FaceMark& pupil : layout.marks) {
+    if (pupil.part != FacePart::pupil) continue;
+    bool bordered = false, touches = false;
+    for (const FaceMark& eye : layout.marks) {
+      if (eye.part != FacePart::eye || eye.right != pupil.right) continue;
+      bordered = true;
+      touches = touches || (pupil.low.y < eye.high.y + k_touch && pupil.high.y > eye.low.y - k_touch);
+    }
+    if (bordered && !touches) pupil.cost += k_stray_pupil_cost;
+  }
+}
+
 FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint along, double scale,
                 bool whole_face = true) {
   FaceLayout layout;
@@ -268,6 +282,7 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
     label(one, scale);
     layout.marks.push_back(std::move(one));
   }
+  charge_for_stray_pupils(layout);
   keep_one_outline(layout.marks, scale, FacePart::outline);
   if (whole_face) find_mouth(layout);
   keep_one_mouth(layout);
@@ -345,28 +360,37 @@ FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, 
   return layout;
 }
 
-std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines) {
+std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines, const EyesCost& eyes_cost) {
   JoinedLines joined = join_hatching(lines);
   const std::vector<FaceMark> marks = marks_of(joined.lines);
-  std::vector<FaceLayout> pairs;
-  for (const FaceMark& a : marks) {
-    for (const FaceMark& b : marks) {
-      if (may_be_eyes(a, b))
-        pairs.push_back(laid(marks, (a.middle() + b.middle()) * 0.5, b.middle() - a.middle(), 1.0));
+  struct Pair {
+    FaceLayout layout;
+    double of_eyes = 0;
+    [[nodiscard]] double cost() const { return layout.cost + of_eyes; }
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t a = 0; a < marks.size(); ++a) {
+    for (std::size_t b = 0; b < marks.size(); ++b) {
+      if (!may_be_eyes(marks[a], marks[b])) continue;
+      const double of_eyes = eyes_cost ? eyes_cost(a, b) : 0.0;
+      const PxPoint left = marks[a].middle(), right = marks[b].middle();
+      if (of_eyes < k_unknown_cost) pairs.push_back({laid(marks, (left + right) * 0.5, right - left, 1.0), of_eyes});
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const FaceLayout& a, const FaceLayout& b) { return a.cost < b.cost; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.cost() < b.cost(); });
   if (pairs.size() > k_most_scaled) pairs.resize(k_most_scaled);
   std::optional<FaceLayout> best;
-  for (FaceLayout& pair : pairs) {
+  double least = 0;
+  for (Pair& pair : pairs) {
     for (const double scale : k_scales) {
-      FaceLayout one = laid(marks, pair.middle, pair.along, scale);
-      if (!best || one.cost < best->cost) best = std::move(one);
+      FaceLayout one = laid(marks, pair.layout.middle, pair.layout.along, scale);
+      if (best && one.cost + pair.of_eyes >= least) continue;
+      least = one.cost + pair.of_eyes;
+      best = std::move(one);
     }
   }
   if (!best) return best;
-  best = refined(marks, *best);
+  if (!eyes_cost) best = refined(marks, *best);
   const bool has_mouth = std::any_of(best->marks.begin(), best->marks.end(), [](const FaceMark& mark) {
     return mark.part == FacePart::mouth && mark.cost < k_most_mouth_cost;
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,9 +56,11 @@ struct FaceLayout {
 };
 
 /// Finds the face of a drawing from how faces are laid out: two things that are alike beside each other are its eyes,
-/// and each other line is the part that is likeliest there. Returns nothing if no two lines can be the eyes of a face
-/// with a mouth.
-[[nodiscard]] std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines);
+/// and each other line is the part that is likeliest there. `eyes_cost` adds to the cost of two lines as the eyes.
+/// Returns nothing if no two lines can be the eyes of a face with a mouth.
+using EyesCost = std::function<double(std::size_t left, std::size_t right)>;
+[[nodiscard]] std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines,
+                                                  const EyesCost& eyes_cost = {});
 
 /// Labels lines in a known frame, of a whole face or of a part of it; `middle` and `along` are those of FaceLayout.
 [[nodiscard]] FaceLayout lay_out(std::span<const std::vector<PxPoint>> lines, PxPoint middle, PxPoint along);

@@ -30,6 +30,8 @@ inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
 inline constexpr double k_nostril_cost = 0.8;
+/// Lines this far apart touch; the cost of a pupil that touches no border of its eye.
+inline constexpr double k_touch = 0.05, k_stray_pupil_cost = 2.0;
 /// Hatching: strokes no longer than this share of the drawing's diagonal and straight (the distance of the ends over
 /// the length), whose lengths differ by no more than the ratio, whose middles are no farther apart than so many lengths
 /// and whose directions have at least the cosine; at least so many, in a row that is so many times as long as they.

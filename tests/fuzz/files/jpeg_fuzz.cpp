@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto image = picture::decode_jpeg({data, size}, 256);
   if (!image) return 0;
   if (image->pixels.size() != std::size_t(image->width) * std::size_t(image->height) * 4) std::abort();
-  const render::Image small = picture::shrunk(*image, 64);
+  const picture::Image small = picture::shrunk(*image, 64);
   if (small.width < 1 || small.height < 1 || std::max(small.width, small.height) > 64) std::abort();
   return 0;
 }
