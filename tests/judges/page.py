@@ -26,6 +26,9 @@ MEASURES = [
     ("drawing_beside_20", "the same, 20 % off"),
     ("drawn_faces", "faces as people draw them: *right* if the face shows the signs of what is meant; stray: torn lips and lids"),
     ("no_faces", "drawings of other things: *right* if nothing moves"),
+    ("drawn_by_people", "faces typed by twelve hands, `tests/judges/drawing/sets`; on rigs that are held out, hands that are held out"),
+    ("drawn_by_people_rest", "the same, with the same hand's drawing of the face at rest"),
+    ("no_faces_by_people", "drawings of other things by these hands: *right* if nothing moves"),
     ("shared_drawings", "faces and other things of the shared data, judged like these two"),
 ]
 

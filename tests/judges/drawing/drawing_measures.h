@@ -23,6 +23,12 @@ namespace penpose::judges {
 /// Drawings of other things. right: nothing moves that a person would see; still: the largest movement.
 [[nodiscard]] Measure no_face_measure();
 
+/// The drawings of sets/, by hands of their own, judged in the same way: faces; faces with the same hand's drawing of
+/// the face at rest given; what is no face. On shared rigs the hands that are held out are one case, their totals.
+[[nodiscard]] Measure people_measure();
+[[nodiscard]] Measure people_beside_rest_measure();
+[[nodiscard]] Measure people_no_face_measure();
+
 /// The drawings of the shared data on shared rigs, judged in the same way; what is no face counts as right or not, too.
 [[nodiscard]] Measure shared_drawing_measure();
 

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 
 #include "tests/judges/cases/known_faces.h"
 #include "tests/judges/drawing/faces/artist.h"
+#include "tests/judges/drawing/faces/drawing_sets.h"
 #include "tests/judges/drawing/faces/no_faces.h"
 #include "tests/judges/drawing/known/camera_picture.h"
 #include "tests/judges/drawing/known/known_drawing.h"
@@ -65,6 +68,48 @@ TEST(DrawingArtists, AMouthOfOneLineGoesUpWhereSomebodyIsHappyAndDownWhereHeIsSa
     EXPECT_GT(corners_of_widest_line(drawn_face(*found, Expression::happy, {}, seed)), 0.1);
     EXPECT_LT(corners_of_widest_line(drawn_face(*found, Expression::sad, {}, seed)), -0.1);
     EXPECT_NEAR(corners_of_widest_line(drawn_face(*found, Expression::rest, {}, seed)), 0, 0.05);
+  }
+}
+
+/// What each hand of a set drew.
+std::map<std::string, std::set<Expression>> drawn_by(Group group) {
+  std::map<std::string, std::set<Expression>> hands;
+  for (const SharedDrawing& one : drawing_set(group)) {
+    if (one.face) hands[one.folder].insert(one.meant);
+  }
+  return hands;
+}
+
+TEST(DrawingSets, EveryHandDrewEveryExpressionAndAThirdOfTheHandsIsHeldOut) {
+  const auto seen = drawn_by(Group::seen), held_out = drawn_by(Group::held_out);
+  EXPECT_EQ(seen.size(), 8U);
+  EXPECT_EQ(held_out.size(), 4U);
+  for (const auto& hands : {seen, held_out}) {
+    for (const auto& [hand, meant] : hands) EXPECT_EQ(meant.size(), k_expression_count) << hand;
+  }
+  for (const auto& [hand, meant] : held_out) EXPECT_FALSE(seen.contains(hand)) << hand;
+}
+
+TEST(DrawingSets, TheFaceAtRestIsOfTheSameHandAndThingsHaveNone) {
+  const auto set = drawing_set(Group::seen);
+  std::size_t things = 0;
+  for (const SharedDrawing& one : set) {
+    const SharedDrawing* rest = rest_by_the_same_hand(set, one);
+    things += one.face ? 0 : 1;
+    ASSERT_EQ(rest != nullptr, one.face) << one.name;
+    if (rest == nullptr) continue;
+    EXPECT_EQ(rest->name, one.folder + "_neutral");
+    EXPECT_GE(rest->drawing.lines.size(), 3U) << rest->name;
+  }
+  EXPECT_EQ(things, 18U);
+}
+
+TEST(DrawingSets, SidesAreOfExpressionsThatHaveThem) {
+  for (const Group group : {Group::seen, Group::held_out}) {
+    for (const SharedDrawing& one : drawing_set(group)) {
+      EXPECT_EQ(one.side.has_value(), one.face && has_side(one.meant)) << one.name;
+      EXPECT_LE(one.drawing.lines.size(), portrait::k_most_drawn_lines) << one.name;
+    }
   }
 }
 

@@ -109,6 +109,7 @@ TEST(DrawingNames, ANameSaysWhatIsMeant) {
   EXPECT_EQ(wink->side, Side::right);
   EXPECT_EQ(wink->folder, "cartoon");
   EXPECT_EQ(meaning_of("few_rest.svg")->meant, Expression::rest);
+  EXPECT_EQ(meaning_of("pencil_o.svg")->meant, Expression::open);
   EXPECT_FALSE(meaning_of("not_house.svg")->face);
   EXPECT_FALSE(meaning_of("portrait.svg"));
 }

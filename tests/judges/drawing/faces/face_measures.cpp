@@ -33,13 +33,6 @@ std::vector<Meant> all_meant() {
   return all;
 }
 
-/// The last one is kept on each thread, as face_of does.
-FaceReading& reading_of(const Rig& rig) {
-  thread_local std::unique_ptr<FaceReading> last;
-  if (!last || last->face().model().rig != rig.model.rig) last = std::make_unique<FaceReading>(rig);
-  return *last;
-}
-
 std::vector<Outcome> judge_faces(const Rig& rig, Extent extent) {
   FaceReading& reading = reading_of(rig);
   const auto artists = artists_for(rig.group);
@@ -61,13 +54,6 @@ std::vector<Outcome> judge_faces(const Rig& rig, Extent extent) {
     }
   }
   return out;
-}
-
-/// A drawing that is read as a face at rest, judged as one of no face.
-Outcome as_thing(Outcome outcome) {
-  outcome.of = 1;
-  outcome.right = outcome.still.value_or(0) <= k_seen_percent ? 1 : 0;
-  return outcome;
 }
 
 std::vector<Outcome> judge_things(const Rig& rig, Extent extent) {
@@ -109,7 +95,8 @@ Measure shared_drawing_measure() {
 }
 std::vector<Measure> drawing_measures() {
   auto all = known_drawing_measures();
-  all.insert(all.end(), {drawn_face_measure(), no_face_measure(), shared_drawing_measure()});
+  all.insert(all.end(), {drawn_face_measure(), no_face_measure(), people_measure(), people_beside_rest_measure(),
+                         people_no_face_measure(), shared_drawing_measure()});
   return all;
 }
 Measure no_face_measure() { return {"no_faces", has_face, judge_things}; }

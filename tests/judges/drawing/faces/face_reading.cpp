@@ -57,4 +57,16 @@ Outcome FaceReading::outcome(const portrait::Drawing& drawing, Expression meant,
   return out;
 }
 
+FaceReading& reading_of(const Rig& rig) {
+  thread_local std::unique_ptr<FaceReading> last;
+  if (!last || last->face().model().rig != rig.model.rig) last = std::make_unique<FaceReading>(rig);
+  return *last;
+}
+
+Outcome as_thing(Outcome outcome) {
+  outcome.of = 1;
+  outcome.right = outcome.still.value_or(0) <= k_seen_percent ? 1 : 0;
+  return outcome;
+}
+
 }  // namespace penpose::judges::drawn

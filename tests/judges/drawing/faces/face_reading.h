@@ -30,4 +30,9 @@ class FaceReading {
   std::string refused_;
 };
 
+/// The last one is kept on each thread, as face_of does.
+[[nodiscard]] FaceReading& reading_of(const Rig& rig);
+/// The outcome of a drawing that was read as one of a face at rest, judged as one of no face.
+[[nodiscard]] Outcome as_thing(Outcome outcome);
+
 }  // namespace penpose::judges::drawn

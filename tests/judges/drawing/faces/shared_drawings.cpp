@@ -17,7 +17,7 @@ std::optional<SharedDrawing> meaning_of(const std::string& file_name) {
     if (at == 0) out.folder = word;
     if (word == "not") out.face = false, known = true;
     if (word == "L" || word == "R") out.side = word == "L" ? Side::left : Side::right;
-    if (const auto expression = expression_named(word == "neutral" ? "rest" : word)) {
+    if (const auto expression = expression_named(word == "neutral" ? "rest" : word == "o" ? "open" : word)) {
       out.meant = *expression;
       known = true;
     }

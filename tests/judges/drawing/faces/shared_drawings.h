@@ -11,7 +11,7 @@
 
 namespace penpose::judges::drawn {
 
-/// A drawing of the shared data and what its name says of it: FOLDER_WORD[_SIDE].svg.
+/// A drawing of a folder and what its name says of it: HAND_WORD[_SIDE].svg.
 struct SharedDrawing {
   std::string name, folder;
   bool face = true;  ///< false: it shows something else
