@@ -137,6 +137,25 @@ void keep_one_outline(std::vector<FaceMark>& marks, double scale, FacePart unwan
   }
 }
 
+/// Labels what lies outside of the head as something around it.
+void leave_what_is_outside(std::vector<FaceMark>& marks) {
+  const FaceMark* head = nullptr;
+  for (const FaceMark& mark : marks) {
+    const bool around_eyes = mark.low.x < -0.5 && mark.high.x > 0.5 && mark.low.y < 0 && mark.high.y > 0;
+    if (mark.part == FacePart::outline && mark.closed && around_eyes &&
+        (head == nullptr || mark.size().y > head->size().y))
+      head = &mark;
+  }
+  if (head == nullptr) return;
+  const PxPoint low = head->low, high = head->high;
+  for (FaceMark& mark : marks) {
+    const PxPoint at = mark.middle();
+    if (at.x > low.x && at.y > low.y && at.x < high.x && at.y < high.y) continue;
+    mark.part = FacePart::around;
+    mark.cost = k_outside_cost;
+  }
+}
+
 /// Drops construction lines: a straight line that is longer than the rest of the mouth only marks its place.
 void drop_construction_line(FaceLayout& layout) {
   double low = 1e300, high = -1e300;
@@ -282,6 +301,7 @@ FaceLayout laid(const std::vector<FaceMark>& marks, PxPoint middle, PxPoint alon
     label(one, scale);
     layout.marks.push_back(std::move(one));
   }
+  leave_what_is_outside(layout.marks);
   charge_for_stray_pupils(layout);
   keep_one_outline(layout.marks, scale, FacePart::outline);
   if (whole_face) find_mouth(layout);
@@ -310,8 +330,10 @@ bool may_be_eyes(const FaceMark& a, const FaceMark& b) {
   const double one = std::max(a.size().x, a.size().y);
   const double other = std::max(b.size().x, b.size().y);
   const double large = std::max(one, other);
-  return d.x > 0 && std::abs(d.y) < k_most_roll * d.x && large < k_largest_eye * d.x && large > k_smallest_eye * d.x &&
-         std::min(one, other) > k_least_alike * large;
+  // A dot may stand beside a dot, or beside a line that winks.
+  const bool dots = std::min(one, other) <= k_smallest_eye * d.x && large < k_largest_wink * d.x;
+  return d.x > 0 && std::abs(d.y) < k_most_roll * d.x && large < k_largest_eye * d.x &&
+         (dots || std::min(one, other) > k_least_alike * large);
 }
 
 /// Fits the frame to all lines of the eyes that have a counterpart in the other eye.

@@ -22,7 +22,7 @@ struct PartHabit {
 };
 [[nodiscard]] std::span<const PartHabit> part_habits();
 
-inline constexpr double k_least_size = 0.02;
+inline constexpr double k_least_size = 0.035;
 inline constexpr double k_unknown_cost = 5.5;
 /// A line that costs more than this is no mouth.
 inline constexpr double k_most_mouth_cost = 3.25;
@@ -30,6 +30,8 @@ inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
 inline constexpr double k_nostril_cost = 0.8;
+/// What lies outside of the head.
+inline constexpr double k_outside_cost = 1.0;
 /// Lines this far apart touch; the cost of a pupil that touches no border of its eye.
 inline constexpr double k_touch = 0.05, k_stray_pupil_cost = 2.0;
 /// Hatching: strokes no longer than this share of the drawing's diagonal and straight (the distance of the ends over
@@ -58,7 +60,8 @@ inline constexpr double k_box_filled = 0.91, k_box_height = 0.4;
 inline constexpr double k_straight = 0.995;
 inline constexpr double k_longer_than_mouth = 1.1;
 inline constexpr double k_lone_brow_cost = 0.3, k_no_brows_cost = 0.5;
-inline constexpr double k_most_roll = 0.45, k_largest_eye = 1.05, k_smallest_eye = 0.03, k_least_alike = 0.25;
+inline constexpr double k_most_roll = 0.45, k_largest_eye = 1.05, k_smallest_eye = 0.06, k_largest_wink = 0.6,
+                        k_least_alike = 0.25;
 /// The cost of eyes that differ, a unit of `unlike`, and the most units that count.
 inline constexpr double k_unlike_cost = 0.25, k_most_unlike = 1.0;
 /// Lines of both eyes that are no more unlike than this are counterparts.
