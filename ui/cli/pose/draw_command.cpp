@@ -117,7 +117,7 @@ void print(const Sheet& sheet, const document::Document& document, const std::ve
 void print(const std::vector<Sheet>& sheets, const document::Document& document,
            const document::FeatureCurves& features) {
   if (features.found) std::cout << "feature curves were found by the shape of the face\n";
-  for (const std::string& name : features.unsure)
+  for (const std::string& name : portrait::names_of(features.unsure))
     std::cout << "  " << name << " is not sure and not used; --curves names it\n";
   for (const Sheet& sheet : sheets) print(sheet, document, features.curves);
 }
