@@ -19,7 +19,7 @@ WindowTool feature_tool() {
   WindowTool tool;
   tool.kind = drawing::ToolKind::feature;
   tool.button = {"tool_feature", "Feature", "Show where the features of the face are, and draw along one that is wrong",
-                 "M4 9L8 6L12 8M12 8L20 5M4 16C9 12 15 12 20 16", plain_key('v')};
+                 "M4 9L10 5L20 7M4 16L9 12.5L15 12.5L20 16L15 18.5L9 18.5Z", plain_key('v')};
   tool.hint = [](const ToolSight&) -> std::string {
     return "Draw along a feature that is in the wrong place, or touch its name";
   };

@@ -15,8 +15,7 @@ std::string message_of_stroke(const base::Error& error, const drawing::Tool& too
   if (error.place == "view" && before.pending) return "The view has turned: draw both lines around it in one view";
   if (error.place.starts_with("line/core") || error.place.starts_with("line/general")) return message_of(error);
   constexpr std::array k_not_meant{"line", "at", "role", "feature", ""};
-  if (std::find(k_not_meant.begin(), k_not_meant.end(), error.place) == k_not_meant.end())
-    return message_of(error);
+  if (std::find(k_not_meant.begin(), k_not_meant.end(), error.place) == k_not_meant.end()) return message_of(error);
   const WindowTool& window = window_tool(tool.kind);
   return k_nothing_changed +
          (window.to_draw != nullptr ? window : window_tool(drawing::ToolKind::pose)).to_draw({before, tool});

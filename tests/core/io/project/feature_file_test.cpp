@@ -45,10 +45,10 @@ TEST(FeatureFile, AFaultIsOneLineWithItsPlaceAndWhatToDo) {
   FeatureFile other = some_features();
   other.mesh = {1, 2};
   EXPECT_EQ(error_of(write_features(other)).what, "the features are of another mesh");
-  EXPECT_EQ(error_of(with("\"points\": []", "\"points\": 3")).place, "/features/1");
-  EXPECT_EQ(error_of(with("[0, ", "[-1, ")).place, "/features/0/points/0");
-  EXPECT_EQ(error_of(with("[3, ", "[3000000, ")).place, "/features/0/points/1");
-  EXPECT_EQ(error_of(with("[3, 1", "[3, 2")).place, "/features/0/points/1");
+  EXPECT_EQ(error_of(with("\"points\":[]", "\"points\":3")).place, "/features/1");
+  EXPECT_EQ(error_of(with("[0,", "[-1,")).place, "/features/0/points/0");
+  EXPECT_EQ(error_of(with("[3,", "[3000000,")).place, "/features/0/points/1");
+  EXPECT_EQ(error_of(with("[3,1", "[3,2")).place, "/features/0/points/1");
   FeatureFile twice = some_features();
   twice.features.back().name = "brow_L";
   EXPECT_EQ(error_of(write_features(twice)).place, "/features/1/name");

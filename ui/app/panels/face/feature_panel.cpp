@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,42 @@ std::optional<Command> change_feature(PanelContext& context, const EditingSessio
   return chosen;
 }
 
+/// Where the canvas is narrower, of the height of a button, names would hide the face.
+constexpr double k_room = 14;
+
+struct NamedLine {
+  std::string feature;
+  LineName shown;
+  double top = 0;  ///< px
+};
+
+/// All features, from the top of the canvas to its foot, so that names stand in the order of their lines.
+std::vector<NamedLine> named_lines(const EditingSession& editing, const Canvas& canvas) {
+  const document::FeatureCurves& features = editing.all_features();
+  std::vector<NamedLine> out;
+  for (const auto* list : {&features.curves, &features.unsure}) {
+    for (const portrait::FeatureCurve& curve : *list) {
+      auto line = feature_line(curve, canvas.surface(), canvas.view());
+      if (line.empty()) continue;
+      const bool sure = list == &features.curves;
+      const double top = line[line.size() / 2].y;
+      out.push_back({curve.name, {std::move(line), feature_words(curve.name) + (sure ? "" : "?"), sure}, top});
+    }
+  }
+  std::stable_sort(out.begin(), out.end(), [](const NamedLine& a, const NamedLine& b) { return a.top < b.top; });
+  return out;
+}
+
+/// Leaves the one whose line the pointer is near.
+void keep_pointed(std::vector<NamedLine>& named, const PanelContext& context, const EditingSession& editing,
+                  const Canvas& canvas) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto near =
+      shown_feature_near(editing, canvas.surface(), {static_cast<double>(mouse.x), static_cast<double>(mouse.y)},
+                         0.5 * static_cast<double>(context.unit));
+  std::erase_if(named, [&](const NamedLine& one) { return one.feature != near; });
+}
+
 }  // namespace
 
 void show_feature_names(PanelContext& context, const Area& free, EditingSession& editing, Canvas& canvas,
@@ -73,24 +110,17 @@ void show_feature_names(PanelContext& context, const Area& free, EditingSession&
   panels.feature_labels.clear();
   if (!panels.shown || editing.pen_is_drawing()) return;
   if (editing.editor().tool().kind != drawing::ToolKind::feature) return;
-  const document::FeatureCurves& features = editing.all_features();
+  std::vector<NamedLine> named = named_lines(editing, canvas);
+  if (free.width() < k_room * static_cast<double>(context.unit)) keep_pointed(named, context, editing, canvas);
   std::vector<LineName> names;
-  std::vector<std::string> of;
-  for (const auto* list : {&features.curves, &features.unsure}) {
-    for (const portrait::FeatureCurve& curve : *list) {
-      auto line = feature_line(curve, canvas.surface(), canvas.view());
-      if (line.empty()) continue;
-      const bool sure = list == &features.curves;
-      names.push_back({std::move(line), feature_words(curve.name) + (sure ? "" : "?"), sure});
-      of.push_back(curve.name);
-    }
-  }
+  names.reserve(named.size());
+  for (const NamedLine& one : named) names.push_back(one.shown);
   const auto areas =
       show_line_names(context, free, names, !panels.feature_menu, "Draw along it to correct it, or press for more");
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (!areas[i]) continue;
-    panels.feature_labels.emplace_back(of[i], *areas[i]);
-    context.targets["feature " + of[i]] = *areas[i];
+    panels.feature_labels.emplace_back(named[i].feature, *areas[i]);
+    context.targets["feature " + named[i].feature] = *areas[i];
   }
 }
 

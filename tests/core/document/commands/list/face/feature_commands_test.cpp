@@ -140,7 +140,8 @@ TEST(FeatureCommands, ADrawingThatIsThereIsReadByTheCorrection) {
   ASSERT_GT(raised, 0.3);
   // The brow was there already.
   FeatureHand at_rest;
-  hand.does(DrawFeature{hand.view, at_rest.over("brow_L", {0, -14}), "brow_L"});
+  at_rest.does(DrawFeature{at_rest.view, at_rest.over("brow_L", {0, -14}), "brow_L"});
+  hand.does(PlaceFeature{"brow_L", at_rest.document().model->features.front().points});
   EXPECT_LT(hand.value("brow_inner_L") + hand.value("brow_outer_L"), 0.6 * raised);
 }
 
