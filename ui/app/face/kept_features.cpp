@@ -38,7 +38,8 @@ void KeptFeatures::forget() {
 void KeptFeatures::begin(bool of_file) {
   forget();
   if (of_file && model_->features.empty()) apply_kept();
-  shown_ = true;
+  const document::FeatureCurves& features = editing_.all_features();
+  shown_ = !features.curves.empty() || !features.unsure.empty();
   revision_ = editing_.revision();
   model_ = editing_.document().model;
 }

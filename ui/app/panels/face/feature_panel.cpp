@@ -55,7 +55,7 @@ std::optional<Command> change_feature(PanelContext& context, const EditingSessio
   const bool corrected = document::find_correction(*editing.document().model, menu.feature) != nullptr;
   const double wide = 5.0 * static_cast<double>(context.unit);
   std::optional<Command> chosen;
-  if (begin_panel(context, "feature", menu_area(context, canvas, menu.at, wide, corrected ? 4 : 3))) {
+  if (begin_panel(context, "feature", menu_area(context, canvas, menu.at, wide, corrected ? 3.6 : 2.6))) {
     ImGui::TextUnformatted(feature_words(menu.feature).c_str());
     if (wide_button(context, "No such feature", -1, false, "The face has none there: no line is read as it"))
       chosen = document::PlaceFeature{menu.feature, {}};
