@@ -215,6 +215,10 @@ base::Hash128 DocumentHasher::hash_curves(const Document& document) {
   hash.add(std::uint64_t{curves_.size()});
   for (const HashedCurve& one : curves_) add_digest(hash, one.hash);
   add_curves(hash, document.model->curves);
+  if (!document.model->features.empty()) {
+    hash.add("features");
+    add_curves(hash, document.model->features);
+  }
   for (const auto& named : document.views) {
     hash.add(named->name);
     add_view(hash, named->view);

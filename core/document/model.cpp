@@ -85,6 +85,7 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
 void move_rest(Model& from, Model& to) {
   to.materials = std::move(from.materials);
   to.curves = std::move(from.curves);
+  to.features = std::move(from.features);
   to.animations = std::move(from.animations);
   to.humanoid = from.humanoid;
   to.front_yaw_degrees = from.front_yaw_degrees;

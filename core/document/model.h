@@ -75,6 +75,8 @@ struct Model {
   std::shared_ptr<const rig::CharacterRig> rig;                      ///< the sum of them all, parameters in this order
   rig::Pose pose;                                                    ///< one value a parameter of the rig
   std::vector<NamedCurve> curves;
+  /// Features of the face as somebody corrected them, by name; without points: the face has no such feature.
+  std::vector<NamedCurve> features;
   std::vector<Animation> animations;
   std::vector<Expression> expressions;
   Humanoid humanoid;                         ///< as the file says it; empty: it says nothing

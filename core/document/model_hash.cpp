@@ -9,14 +9,18 @@ void add_point(base::StateHash& hash, const geometry::ModelVector& v) {
   hash.add(v.z);
 }
 
-void add_mesh(base::StateHash& hash, const mesh::TriangleMesh& mesh) {
-  hash.add("mesh");
-  hash.add(std::uint64_t{mesh.vertex_count()});
-  for (const auto& p : mesh.positions()) add_point(hash, p);
+void add_triangles(base::StateHash& hash, const mesh::TriangleMesh& mesh) {
   hash.add(std::uint64_t{mesh.triangle_count()});
   for (const auto& triangle : mesh.triangles()) {
     for (const std::uint32_t v : triangle) hash.add(std::uint64_t{v});
   }
+}
+
+void add_mesh(base::StateHash& hash, const mesh::TriangleMesh& mesh) {
+  hash.add("mesh");
+  hash.add(std::uint64_t{mesh.vertex_count()});
+  for (const auto& p : mesh.positions()) add_point(hash, p);
+  add_triangles(hash, mesh);
   for (const mesh::Part& part : mesh.parts()) {
     hash.add(part.name);
     hash.add(std::uint64_t{part.vertex_count});
@@ -61,6 +65,14 @@ void add_shapes(base::StateHash& hash, const rig::BlendShapes& shapes) {
 }
 
 }  // namespace
+
+base::Hash128 hash_topology(const mesh::TriangleMesh& mesh) {
+  base::StateHash hash;
+  hash.add("topology");
+  hash.add(std::uint64_t{mesh.vertex_count()});
+  add_triangles(hash, mesh);
+  return hash.digest();
+}
 
 base::Hash128 hash_surface(const Model& model) {
   base::StateHash hash;

@@ -33,6 +33,8 @@ class Editor {
   base::Status draw(const curve::Stroke& stroke, const document::View& view, bool eraser);
   /// The features of the document's face; empty: none are found. Valid until the next call.
   [[nodiscard]] std::span<const portrait::FeatureCurve> features() { return document::features_of(document(), work_); }
+  /// The same with those that are not sure; none: nothing of a face is found.
+  [[nodiscard]] const document::FeatureCurves& all_features() { return document::all_features_of(document(), work_); }
   base::Status undo() { return history_.undo(); }
   base::Status redo() { return history_.redo(); }
 

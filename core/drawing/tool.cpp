@@ -12,7 +12,7 @@ namespace penpose::document {
 
 template <>
 struct TextForm<drawing::ToolKind> {
-  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 12> k_names{
+  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 13> k_names{
       {{drawing::ToolKind::pose, "pose"},
        {drawing::ToolKind::reference, "reference"},
        {drawing::ToolKind::target, "target"},
@@ -24,7 +24,8 @@ struct TextForm<drawing::ToolKind> {
        {drawing::ToolKind::erase, "erase"},
        {drawing::ToolKind::none, "none"},
        {drawing::ToolKind::between, "between"},
-       {drawing::ToolKind::draw, "draw"}}};
+       {drawing::ToolKind::draw, "draw"},
+       {drawing::ToolKind::feature, "feature"}}};
   static void write(std::string& out, drawing::ToolKind value) {
     for (const auto& [kind, name] : k_names) {
       if (kind == value) out += name;
@@ -125,6 +126,8 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       return Command(document::DrawBetween{tool.deformer, tool.value, view, std::move(line)});
     case ToolKind::draw:
       return Command(document::DrawFaceLine{{view, std::move(line)}});
+    case ToolKind::feature:
+      return Command(document::DrawFeature{view, std::move(line), {}});
     case ToolKind::erase:
     case ToolKind::none:
       break;

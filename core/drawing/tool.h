@@ -26,6 +26,7 @@ enum class ToolKind : std::uint8_t {
   none,     ///< strokes do nothing
   between,  ///< another target of a deformer, at `value`
   draw,     ///< lines of the face as it should be
+  feature,  ///< lines along features of the face as it is, which correct where they are
 };
 
 struct Tool {

@@ -17,12 +17,15 @@ class References {
  public:
   References(const document::Model& model, const std::vector<io::VertexCurve>& landmarks) : model_(model) {
     add(landmarks);
-    for (const document::NamedCurve& curve : model.curves) {
-      std::vector<posing::CurvePoint> points;
-      for (const mesh::MeshPoint& p : curve.points) {
-        points.push_back(posing::at_mesh_point(p, model.mesh->triangles()));
+    // What was corrected comes before what it corrects.
+    for (const auto* curves : {&model.features, &model.curves}) {
+      for (const document::NamedCurve& curve : *curves) {
+        std::vector<posing::CurvePoint> points;
+        for (const mesh::MeshPoint& p : curve.points) {
+          points.push_back(posing::at_mesh_point(p, model.mesh->triangles()));
+        }
+        if (!points.empty()) add(curve.name, std::move(points));
       }
-      add(curve.name, std::move(points));
     }
     add(document::known_head_curves(model));
   }

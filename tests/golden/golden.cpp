@@ -30,7 +30,7 @@ namespace {
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
 
 constexpr std::uint64_t k_random_sessions = 40;
-constexpr std::size_t k_actions = 50;
+constexpr std::size_t k_actions = 54;
 /// Each kind of stroke is drawn in as many sessions as that.
 constexpr std::size_t k_least_of_a_kind = 10;
 

@@ -80,9 +80,12 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap) {
+            SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap,
+            KeptFeatures& features) {
   if (panels.radial) {
     panels.radial.reset();
+  } else if (panels.feature_menu) {
+    panels.feature_menu.reset();
   } else if (panels.curve_menu) {
     panels.curve_menu.reset();
   } else if (dialogs.any()) {
@@ -97,6 +100,8 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     if (!editing.pen_is_drawing()) controls.lent().give_back();
   } else if (editing.document().pending) {
     editing.perform(document::CancelDeformer{});
+  } else {
+    features.hide();
   }
 }
 

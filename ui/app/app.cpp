@@ -35,6 +35,7 @@ App::App(AppOptions options)
       recording_({options_.folders.state, options_.session, options_.program, options_.date}, editing_, notices_),
       actions_(*this),
       canvas_(editing_, preferences_, notices_, player_),
+      features_(options_.folders.config, editing_, notices_),
       controls_(editing_, notices_, canvas_, panels_),
       playback_(options_.clock, editing_, notices_, preferences_),
       keys_(editing_, notices_, playback_),
@@ -42,11 +43,11 @@ App::App(AppOptions options)
       performer_(editing_, notices_, playback_, player_),
       ghosts_(editing_, playback_, notices_),
       tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
-      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_}),
+      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
-              player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
+              player_, performer_, notices_, preferences_, dialogs_, tour_, features_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
       film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
       mouths_(editing_, notices_, playback_),
@@ -60,7 +61,7 @@ App::App(AppOptions options)
       drag_(editing_, canvas_, dialogs_),
       dials_({options_.clock, editing_, canvas_, hits_, dialogs_, playback_, controls_, notices_, desk_, place_,
               actions_}),
-      held_keys_({editing_, bindings_, desk_, hits_, dialogs_, notices_, place_, actions_}),
+      held_keys_({editing_, bindings_, desk_, hits_, dialogs_, notices_, place_, actions_, features_}),
       fingers_({options_.clock, editing_, preferences_, canvas_, desk_, drag_}),
       pens_({editing_, hits_, dialogs_, panels_, desk_, bindings_, place_, panel_input_, drag_, dials_, held_keys_,
              curves_}),
@@ -71,7 +72,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_) {
   dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
@@ -93,6 +94,7 @@ App::~App() {
 
 void App::show_anew() {
   overlap_.forget();
+  features_.forget();
   playback_.begin();
   controls_.open_document();
   curves_.forget();
@@ -134,6 +136,7 @@ void App::advance() {
   sound_.follow(now);
   first_pass_.follow();
   controls_.swing(now);
+  features_.follow(playback_.time_s(), playback_.playing() || performer_.performing());
   // What was said of a stroke is over with the next one that does something, and with another tool.
   const auto now_is = std::pair(editing_.revision(), &tool_.now());
   if (std::exchange(last_revision_and_tool_, now_is) != now_is) {
@@ -189,9 +192,10 @@ void App::begin_frame() {
   look.onion_skin = look_.onion_skin || look.tool->shows_ghosts;
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
-  // Where the features are is found once the pen comes near the face.
-  look.features = !playback_.playing() && look.tool->kind == drawing::ToolKind::draw && panels_.shown &&
-                  hits_.on_canvas(place_.at());
+  // Else where the features are is found once the pen comes near the face.
+  look.all_features = features_.shown() || look.tool->kind == drawing::ToolKind::feature;
+  look.features = !playback_.playing() && panels_.shown &&
+                  (look.all_features || (look.tool->kind == drawing::ToolKind::draw && hits_.on_canvas(place_.at())));
   if (look.tool->shows_arcs)
     look.arcs = arcs_.of(editing_.document(), editing_.features(), canvas_.view(), playback_.rate());
   curves_.add_to(look, place_.at());

@@ -11,6 +11,7 @@
 #include "ui/app/controls/controls.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
+#include "ui/app/face/kept_features.h"
 #include "ui/app/files/files.h"
 #include "ui/app/files/leaving.h"
 #include "ui/app/files/player.h"
@@ -98,6 +99,7 @@ class App {
   Dialogs dialogs_;
   Actions actions_;
   Canvas canvas_;
+  KeptFeatures features_;
   Controls controls_;
   Playback playback_;
   Keys keys_;
@@ -136,7 +138,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -7,6 +7,7 @@
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
 #include "core/document/drawing/pose_problem.h"
+#include "core/document/features/feature_curves.h"
 #include "core/portrait/feature_curve.h"
 
 namespace penpose::document {
@@ -28,6 +29,9 @@ class ApplyWorkspace {
 
 /// The features of the document's face; empty: none are found. Valid until the next call.
 [[nodiscard]] std::span<const portrait::FeatureCurve> features_of(const Document& document, ApplyWorkspace& work);
+
+/// The same with those that are not sure; none: nothing of a face is found.
+[[nodiscard]] const FeatureCurves& all_features_of(const Document& document, ApplyWorkspace& work);
 
 /// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
 /// of the scene, so that the same rays go through it.

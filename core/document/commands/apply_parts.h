@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/articulation/region/canvas.h"
+#include "core/curve/projection.h"
 #include "core/curve/sheets.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command.h"
@@ -79,6 +80,15 @@ using Parts = ApplyParts;
 /// that are still there.
 [[nodiscard]] Changed with_deformers(const Document& document,
                                      std::shared_ptr<const articulation::SketchedDeformers> deformers);
+
+/// A line on the surface as the document is posed. Errors (place: the member): a view that cannot be; a line beside it.
+[[nodiscard]] base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
+                                                                    const std::vector<PxPoint>& line, Parts& work);
+/// The error that there is no curve of that number.
+[[nodiscard]] base::Error no_such_curve(CurveId id);
+/// Errors (place: "points/N"): a point that is not on the mesh.
+[[nodiscard]] std::optional<base::Error> check_on_mesh(std::span<const mesh::MeshPoint> points,
+                                                       const mesh::TriangleMesh& mesh);
 
 /// The document with one curve more, which gets the next number. Errors: all numbers are used up.
 [[nodiscard]] Changed with_curve(const Document& document, PoseCurve curve);

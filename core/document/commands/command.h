@@ -9,6 +9,7 @@
 #include "core/document/commands/list/arc_commands.h"
 #include "core/document/commands/list/correction_commands.h"
 #include "core/document/commands/list/deformer_commands.h"
+#include "core/document/commands/list/face/feature_commands.h"
 #include "core/document/commands/list/face_commands.h"
 #include "core/document/commands/list/parameter_commands.h"
 #include "core/document/commands/list/placed_commands.h"
@@ -38,7 +39,7 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
 /// The types of all commands. No value of this type is made: its members would be compiled wherever a command is used.
 using CommandTypes =
     JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands, CorrectionCommands,
-                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands>::Type;
+                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands, FeatureCommands>::Type;
 
 template <typename One, typename Types = CommandTypes>
 inline constexpr std::size_t k_index_of = static_cast<std::size_t>(-1);

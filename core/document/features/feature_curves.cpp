@@ -86,19 +86,41 @@ bool is_of_every_face(const std::string& name) {
 }
 constexpr double k_least_sure = 0.1;
 
-/// Those that a model names.
+portrait::FeatureCurve feature_curve(const Model& model, const NamedCurve& curve) {
+  portrait::FeatureCurve out{curve.name, {}};
+  for (const mesh::MeshPoint& point : curve.points)
+    out.points.push_back(posing::at_mesh_point(point, model.mesh->triangles()));
+  return out;
+}
+
+/// Those that a model names, each as it was corrected, and those that somebody drew.
 std::vector<portrait::FeatureCurve> named_curves(const Model& model) {
   std::vector<portrait::FeatureCurve> out;
   for (const NamedCurve& curve : model.curves) {
-    portrait::FeatureCurve one{curve.name, {}};
-    for (const mesh::MeshPoint& point : curve.points)
-      one.points.push_back(posing::at_mesh_point(point, model.mesh->triangles()));
+    const NamedCurve* corrected = find_correction(model, curve.name);
+    portrait::FeatureCurve one = feature_curve(model, corrected != nullptr ? *corrected : curve);
     if (one.points.size() > 1) out.push_back(std::move(one));
+  }
+  for (const NamedCurve& curve : model.features) {
+    const bool there = std::any_of(out.begin(), out.end(), [&](const auto& one) { return one.name == curve.name; });
+    if (!there && curve.points.size() > 1) out.push_back(feature_curve(model, curve));
   }
   return out;
 }
 
+/// Whether somebody said that the face has no such feature.
+bool is_none(const Model& model, const std::string& name) {
+  const NamedCurve* corrected = find_correction(model, name);
+  return corrected != nullptr && corrected->points.empty();
+}
+
 }  // namespace
+
+const NamedCurve* find_correction(const Model& model, const std::string& name) {
+  const auto found = std::find_if(model.features.begin(), model.features.end(),
+                                  [&](const NamedCurve& one) { return one.name == name; });
+  return found == model.features.end() ? nullptr : &*found;
+}
 
 base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::WholeModel& whole,
                                               const std::vector<VertexCurve>& named) {
@@ -120,10 +142,14 @@ base::Result<FeatureCurves> feature_curves_of(const Model& model, const intent::
     if (!listed) sought.push_back({std::move(one.curve), one.sureness});
   }
   take_named(sought, out.curves, rest);
+  std::erase_if(sought, [&](const Sought& one) { return is_none(model, one.curve.name); });
   for (Sought& one : sought) {
     if (one.sureness < portrait::k_sure) {
-      out.unsure.push_back(one.curve.name);
-      if (one.sureness < k_least_sure || !is_of_every_face(one.curve.name)) continue;
+      if (one.sureness < k_least_sure || !is_of_every_face(one.curve.name)) {
+        out.unsure.push_back(std::move(one.curve));
+        continue;
+      }
+      out.doubtful.push_back(one.curve.name);
     }
     const bool listed = std::any_of(known->curves.begin(), known->curves.end(),
                                     [&](const auto& other) { return other.name == one.curve.name; });

@@ -8,6 +8,7 @@
 #include "core/articulation/edit.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
+#include "ui/app/view/shown_features.h"
 #include "ui/app/view/user_messages.h"
 
 namespace penpose::app {
@@ -47,6 +48,7 @@ void CurvesInHand::forget() {
   target_.reset();
   control_target_.reset();
   parts_.panels.curve_menu.reset();
+  parts_.panels.feature_menu.reset();
 }
 
 void CurvesInHand::add_to(CurveLook& look, PxPoint at) const {
@@ -76,7 +78,9 @@ void CurvesInHand::press(PxPoint at) {
   parts_.tool.press(at);
   parts_.controls.lent().press();
   parts_.panels.curve_menu.reset();
+  parts_.panels.feature_menu.reset();
   pressed_ = at;
+  touches_ = true;
   named_ = name_at(at);
   if (named_ && parts_.tool.now().selects) return;
   if (parts_.tool.now().selects) select_at(at);
@@ -171,6 +175,7 @@ void CurvesInHand::select_control_at(PxPoint at) {
 
 void CurvesInHand::move(PxPoint at) {
   parts_.tool.move(at);
+  touches_ = touches_ && !is_far(at - pressed_);
   if (control_target_) parts_.editing.shown().hold_control_target(control_pull(at));
   if (!target_) return;
   const PxPoint by = at - target_->second;
@@ -184,10 +189,32 @@ void CurvesInHand::end_performance() {
   touched_.reset();
 }
 
+bool CurvesInHand::take_feature(PxPoint at) {
+  const bool asked = parts_.panels.feature_menu.has_value();
+  if (!asked && touches_ && !named_ && !touched_ && !target_ && !control_target_) {
+    if (const auto name = feature_at(at)) parts_.panels.feature_menu = FeatureMenu{*name, {}, {}, {}, at};
+  }
+  if (!parts_.panels.feature_menu) return false;
+  // What the menu asks is no failure.
+  parts_.notices.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
+  touched_.reset();
+  return true;
+}
+
+std::optional<std::string> CurvesInHand::feature_at(PxPoint at) const {
+  for (const auto& [name, area] : parts_.panels.feature_labels) {
+    if (area.holds(at)) return name;
+  }
+  const bool all = parts_.features.shown() || parts_.tool.now().kind == drawing::ToolKind::feature;
+  if (!all || !parts_.panels.shown) return std::nullopt;
+  return shown_feature_near(parts_.editing, parts_.canvas.surface(), at, k_lit_px * parts_.canvas.scale());
+}
+
 void CurvesInHand::release(PxPoint at) {
   parts_.tool.release();
   parts_.controls.show_new();
   parts_.controls.lent().release();
+  if (take_feature(at)) return;
   // A line may begin at a name; a touch of it is no line.
   if (const auto named = std::exchange(named_, std::nullopt); named && !is_far(at - pressed_)) {
     parts_.notices.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "ui/app/controls/controls.h"
+#include "ui/app/face/kept_features.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/view/shown_curves.h"
@@ -22,6 +24,7 @@ class CurvesInHand {
     Performer& performer;
     Notices& notices;
     ToolInHand& tool;
+    const KeptFeatures& features;
   };
   explicit CurvesInHand(const Parts& parts) : parts_(parts) {}
 
@@ -45,6 +48,10 @@ class CurvesInHand {
  private:
   /// The line of the face whose name is there; nothing: none.
   [[nodiscard]] std::optional<document::CurveId> name_at(PxPoint at) const;
+  /// The feature of the face that is shown there, by its name or its line; nothing: none.
+  [[nodiscard]] std::optional<std::string> feature_at(PxPoint at) const;
+  /// Opens the menu of a feature that was touched; also whether one is open.
+  bool take_feature(PxPoint at);
   void select_at(PxPoint at);
   void select_control_at(PxPoint at);
   [[nodiscard]] bool take_control_target(PxPoint at);
@@ -61,6 +68,7 @@ class CurvesInHand {
   std::optional<std::pair<double, PxPoint>> control_target_;
   bool whole_ = false;
   PxPoint pressed_;
+  bool touches_ = true;                       ///< the pen has stayed where it was pressed
   std::optional<document::CurveId> named_;    ///< the name of this line of the face was pressed
   std::optional<document::CurveId> touched_;  ///< by the tool Select
 };

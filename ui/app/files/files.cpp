@@ -89,6 +89,7 @@ base::Status Files::open(const std::string& path) {
     auto tour = read_tour(*name, tour_session(*name));
     if (!tour) return tour.error();
     if (const auto opened = open(tour->model); !opened) return opened;
+    parts_.features.hide();
     parts_.editing.set_tool({});
     parts_.tour.begin(std::move(*tour));
     return base::Done{};
@@ -97,6 +98,7 @@ base::Status Files::open(const std::string& path) {
   auto document = files::load_document(path, files::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
+  parts_.features.begin(!path.starts_with("builtin:"));
   if (!parts_.preferences.settings().pose_first) {
     drawing::Tool draw;
     draw.kind = drawing::ToolKind::draw;

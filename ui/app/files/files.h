@@ -7,6 +7,7 @@
 
 #include "replay/session/session_player.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/face/kept_features.h"
 #include "ui/app/files/player.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/playback/performer.h"
@@ -31,6 +32,7 @@ class Files {
     Preferences& preferences;
     Dialogs& dialogs;
     TourGuide& tour;
+    KeptFeatures& features;
     std::function<void()> opened;  ///< tells everybody else that the document is another
   };
   explicit Files(Parts parts) : parts_(std::move(parts)) {}

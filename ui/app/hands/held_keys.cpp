@@ -23,7 +23,9 @@ void HeldKeys::place_pen() {
 void HeldKeys::follow_tool() {
   EditingSession& editing = parts_.editing;
   const Binding* held = parts_.desk.held(Kind::tool);
-  const auto wanted = held != nullptr ? std::optional(held->tool) : std::nullopt;
+  auto wanted = held != nullptr ? std::optional(held->tool) : std::nullopt;
+  // While all features are shown, what Pose draws first is where one of them is.
+  if (wanted == drawing::ToolKind::pose && parts_.features.shown()) wanted = drawing::ToolKind::feature;
   // A stroke ends as what it began.
   if (wanted == tool_held_ || editing.pen_is_drawing()) return;
   if (wanted) {

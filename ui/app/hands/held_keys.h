@@ -4,6 +4,7 @@
 
 #include "ui/app/actions.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/face/kept_features.h"
 #include "ui/app/hands/bindings.h"
 #include "ui/app/input/pointer_place.h"
 #include "ui/app/notices.h"
@@ -23,6 +24,7 @@ class HeldKeys {
     Notices& notices;
     const PointerPlace& place;
     Actions& actions;
+    const KeptFeatures& features;
   };
   explicit HeldKeys(const Parts& parts) : parts_(parts) {}
 

@@ -3,6 +3,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/face/feature_words.h"
+#include "ui/app/panels/face/menu_place.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
@@ -14,16 +15,21 @@ namespace penpose::app {
 
 namespace {
 
-/// Where a menu of so many rows is, beside what was touched.
-Area menu_area(const PanelContext& context, const Canvas& canvas, PxPoint at, double wide, double rows) {
-  const double height =
-      rows * (static_cast<double>(context.unit) + static_cast<double>(ImGui::GetStyle().ItemSpacing.y)) +
-      static_cast<double>(context.gap);
-  const Area free = canvas.free_area();
-  const double left =
-      std::clamp(at.x + static_cast<double>(context.unit), free.left, std::max(free.left, free.right - wide));
-  const double top = std::clamp(at.y, free.top, std::max(free.top, free.bottom - height));
-  return {left, top, left + wide, top + height};
+/// The line is no wish, but where a feature of the face is.
+void show_feature_rows(PanelContext& context, PanelState& panels, const document::FaceLine& line, PxPoint at,
+                       float width, std::optional<document::Command>& chosen) {
+  if (!line.feature.empty()) {
+    const std::string label = "This is the " + feature_words(line.feature) + "##face";
+    if (wide_button(context, label.c_str(), width, false,
+                    "The feature runs along this line, as the face is: draw along what is found in the wrong place"))
+      chosen = document::LineIsFeature{line.id, line.feature};
+    ImGui::SameLine();
+  }
+  if (!wide_button(context, "This is another feature##face", width, false,
+                   "Say which feature of the face runs along this line, as the face is"))
+    return;
+  panels.curve_menu.reset();
+  panels.feature_menu = FeatureMenu{{}, line.id, {}, {}, at};
 }
 
 /// What a line of the face may be.
@@ -34,7 +40,7 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
   const std::string feature = line.feature;
   const float width = 4.2F * context.unit;
   const double wide = 2 * static_cast<double>(width) + 3 * static_cast<double>(context.gap);
-  const std::size_t rows = (names.size() + 1) / 2 + 2;
+  const std::size_t rows = (names.size() + 1) / 2 + 3;
   std::optional<document::Command> chosen;
   if (begin_panel(context, "line", menu_area(context, canvas, at, wide, static_cast<double>(rows)), true)) {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -51,6 +57,7 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
     if (wide_button(context, "Delete##face", width, false, "Take the line away")) chosen = document::DeleteCurve{id};
     ImGui::SameLine();
     if (wide_button(context, "Close##face", width)) panels.curve_menu.reset();
+    show_feature_rows(context, panels, line, at, width, chosen);
   }
   end_panel();
   if (!chosen) return;
@@ -74,7 +81,7 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
   }
   const bool reference = curve->role == document::PoseCurveRole::reference;
   const float width = 3 * context.unit;
-  const double rows = 1 + (reference ? 1 : 0) + (curve->target ? 1 : 0);
+  const double rows = 2 + (reference ? 1 : 0) + (curve->target ? 1 : 0);
   const Area area = menu_area(context, canvas, chosen->second, static_cast<double>(width) + 2 * context.gap, rows);
   const document::CurveId id = curve->id;
   const bool target = curve->target.has_value();
@@ -90,6 +97,10 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
     if (reference &&
         wide_button(context, "Keep##curve", -1, false, context.actions.keys().tooltip_of(Action::keep_curve).c_str())) {
       editing.perform(document::KeepCurve{id});
+      done = true;
+    }
+    if (wide_button(context, "Feature##curve", -1, false, "Say which feature of the face runs along this line")) {
+      panels.feature_menu = FeatureMenu{{}, id, {}, {}, chosen->second};
       done = true;
     }
     if (wide_button(context, "Delete##curve", -1, false,

@@ -20,6 +20,8 @@ void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
+void show_feature_names(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
+void show_feature_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
 void show_overlap(PanelContext&, const Area&, EditingSession&, Canvas&, OverlapOffer&);
@@ -62,7 +64,9 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_backdrop>},
     PanelRow{PanelPlace::canvas, show<show_axes>},
     PanelRow{PanelPlace::canvas, show<show_face_labels>},
+    PanelRow{PanelPlace::canvas, show<show_feature_names>},
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
+    PanelRow{PanelPlace::canvas, show<show_feature_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},
     PanelRow{PanelPlace::canvas, show<show_overlap>},
     PanelRow{PanelPlace::canvas, show<show_readings>},

@@ -1,15 +1,26 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/document/commands/command_members.h"
 #include "core/document/drawing/pose_curve.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/states.h"
 #include "ui/app/view/area.h"
 
 namespace penpose::app {
+
+/// What is asked about a feature of the face, beside where the pen was.
+struct FeatureMenu {
+  std::string feature;                     ///< what can be done with it; empty: which feature a line is
+  std::optional<document::CurveId> curve;  ///< the line, where it was drawn before
+  document::View view;                     ///< else the view
+  std::vector<document::PxPoint> line;     ///< and the line in px of it
+  document::PxPoint at;
+};
 
 /// Which panels are shown. Nothing of it is saved.
 struct PanelState {
@@ -24,6 +35,9 @@ struct PanelState {
   std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
   /// Names of lines of the face, and where they are: a touch opens what can be done with a line.
   std::vector<std::pair<document::CurveId, Area>> face_labels;
+  std::optional<FeatureMenu> feature_menu;
+  /// Names of features and where they are, while the tool Feature is in hand: a touch opens the menu.
+  std::vector<std::pair<std::string, Area>> feature_labels;
   States own;  ///< what each panel keeps for itself
 
   /// All, none; where there is no room for all, the tools, the side panel, none.

@@ -17,7 +17,7 @@ bool solves(const replay::SessionLine& line) {
   return performed->command.holds<document::DragTarget>() || performed->command.holds<document::DrawTarget>() ||
          performed->command.holds<document::PullTarget>() || performed->command.holds<document::SolvePose>() ||
          performed->command.holds<document::TakeReading>() || performed->command.holds<document::DrawFaceLine>() ||
-         performed->command.holds<document::NameFaceLine>();
+         performed->command.holds<document::NameFaceLine>() || performed->command.holds<document::LineIsFeature>();
 }
 
 /// The curve that has another target than before; null: none.

@@ -57,6 +57,9 @@ class EditingSession {
     return live_->session().editor().features();
   }
 
+  /// The same with those that are not sure.
+  [[nodiscard]] const document::FeatureCurves& all_features() const { return live_->session().editor().all_features(); }
+
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);
   /// The same as a part of what was performed before it: one step of undo takes back both.

@@ -44,6 +44,13 @@ struct ToolLine {
   double within_px = 12;              ///< of something is on it
 };
 
+/// A stroke of the tool that has ended.
+struct ToolStroke {
+  const std::vector<geometry::PxPoint>& line;  ///< px of the view, never empty
+  bool changed = false;                        ///< it changed the document
+  bool tapped = false;                         ///< the pen only touched the canvas
+};
+
 /// What the canvas shows while a tool draws.
 enum class ToolPreview : std::uint8_t {
   pose,    ///< the posed face, which follows targets
@@ -87,6 +94,8 @@ struct WindowTool {
   void (*taken)(ToolHand& hand) = nullptr;
   /// Its stroke goes on.
   void (*moved)(ToolHand& hand) = nullptr;
+  /// Its stroke has ended, after what it means was done.
+  void (*ended)(ToolHand& hand, const ToolStroke& stroke) = nullptr;
   /// The command that a finished line means, where `kind` is none; nothing: it means nothing.
   std::optional<document::Command> (*means)(const ToolLine& line) = nullptr;
 

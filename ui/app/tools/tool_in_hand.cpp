@@ -5,6 +5,17 @@
 
 namespace penpose::app {
 
+namespace {
+
+/// Whether a line stays where it began: a touch of the canvas.
+bool is_touch(const std::vector<PxPoint>& line, geometry::Viewport viewport) {
+  curve::Stroke stroke;
+  for (const PxPoint& p : line) stroke.push_back({.position = p});
+  return drawing::is_tap(stroke, viewport);
+}
+
+}  // namespace
+
 const WindowTool& ToolInHand::now() const {
   const drawing::ToolKind kind = parts_.editing.editor().tool().kind;
   return chosen_ != nullptr && chosen_->kind == kind ? *chosen_ : window_tool(kind);
@@ -18,6 +29,7 @@ void ToolInHand::take(const WindowTool& tool) {
   parts_.editing.shown().preview(std::nullopt);
   parts_.editing.set_tool(drawn);
   parts_.panels.curve_menu.reset();
+  parts_.panels.feature_menu.reset();
   if (tool.kind != drawing::ToolKind::none) parts_.panels.controls_tab = false;
   ToolHand hand{parts_.editing, parts_.controls, parts_.panels};
   if (tool.taken != nullptr) tool.taken(hand);
@@ -34,6 +46,7 @@ std::string ToolInHand::hint() const {
 void ToolInHand::press(PxPoint at) {
   line_ = {at};
   times_us_ = {parts_.editing.now_us()};
+  revision_ = parts_.editing.revision();
 }
 
 void ToolInHand::move(PxPoint at) {
@@ -46,6 +59,11 @@ void ToolInHand::move(PxPoint at) {
 void ToolInHand::release() {
   const auto line = std::exchange(line_, {});
   const WindowTool& tool = now();
+  if (tool.ended != nullptr && !line.empty()) {
+    ToolHand hand{parts_.editing, parts_.controls, parts_.panels};
+    tool.ended(hand,
+               {line, parts_.editing.revision() != revision_, is_touch(line, parts_.editing.editor().view().viewport)});
+  }
   if (tool.means == nullptr || line.empty()) return;
   if (tool.shows_ghosts) return parts_.ghosts.draw(line);
   const document::Document& document = parts_.editing.document();

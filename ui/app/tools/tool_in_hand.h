@@ -42,6 +42,7 @@ class ToolInHand {
   const WindowTool* chosen_ = nullptr;  ///< of those that a session records as none
   std::vector<PxPoint> line_;
   std::vector<std::int64_t> times_us_;  ///< of its points
+  std::uint64_t revision_ = 0;          ///< of the document when it began
 };
 
 }  // namespace penpose::app

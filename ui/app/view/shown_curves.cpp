@@ -10,6 +10,7 @@
 #include "core/document/drawing/target_line.h"
 #include "ui/app/tools/tool.h"
 #include "ui/app/view/arc_drawing.h"
+#include "ui/app/view/shown_features.h"
 
 namespace penpose::app {
 namespace {
@@ -148,26 +149,6 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editi
     }
     if (look.handles && !held) add_handle(out, target.points, look);
     out.push_back(std::move(target));
-  }
-}
-
-/// The features of the face as they lie now.
-void add_features(std::vector<CurveDrawing>& out, const EditingSession& editing, const PosedSurface& surface,
-                  const CurveLook& look) {
-  const auto positions = surface.positions();
-  for (const portrait::FeatureCurve& curve : editing.features()) {
-    CurveDrawing drawing;
-    for (const posing::CurvePoint& point : curve.points) {
-      ModelPoint sum(0);
-      for (std::size_t k = 0; k < point.vertex.size(); ++k) {
-        if (point.weight[k] != 0.0 && point.vertex[k] < positions.size())
-          sum += ModelPoint(positions[point.vertex[k]]) * point.weight[k];
-      }
-      drawing.points.push_back(sum);
-    }
-    drawing.color = render::from_srgb(0x3fbf6a, 0.45F);
-    drawing.width_px = 1.5F * look.scale;
-    out.push_back(std::move(drawing));
   }
 }
 
@@ -344,7 +325,7 @@ std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const Pose
     add_outline(out, editing, look);
     add_sketch(out, editing, look);
   } else {
-    if (look.features) add_features(out, editing, surface, look);
+    if (look.features) add_features(out, editing, surface, {look.scale, look.all_features});
     add_face_lines(out, editing, look);
     add_pose_curves(out, editing, surface, look);
   }

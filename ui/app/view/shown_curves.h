@@ -24,6 +24,7 @@ struct CurveLook {
   std::optional<PullHold> pulled;            ///< it is held at a place; nothing: all of it
   std::optional<double> control_target;      ///< the target of `deformer` at that value is in hand
   bool features = false;                     ///< those of the face, faintly: what lines of it are read against
+  bool all_features = false;                 ///< also those that are not sure, and what was corrected
   bool handles = false;                      ///< the middles by which whole targets are moved
   bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
   double time_s = 0;                         ///< of which moment

@@ -94,10 +94,12 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
     parameters.push_back(
         {{"name", p.name}, {"minimum", p.minimum}, {"maximum", p.maximum}, {"rest", p.rest}, {"value", model.pose[i]}});
   }
-  Json curves = Json::array();
-  for (const document::NamedCurve& curve : model.curves) {
-    curves.push_back({{"name", curve.name}, {"points", curve.points.size()}});
-  }
+  const auto json_of = [](const std::vector<document::NamedCurve>& curves) {
+    Json out = Json::array();
+    for (const document::NamedCurve& curve : curves)
+      out.push_back({{"name", curve.name}, {"points", curve.points.size()}});
+    return out;
+  };
   Json animations = Json::array();
   for (const document::Animation& animation : model.animations) {
     animations.push_back(
@@ -133,7 +135,8 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
           {"doubles", std::move(twice)},
           {"front_yaw_degrees", model.front_yaw_degrees},
           {"humanoid", std::move(humanoid)},
-          {"curves", std::move(curves)},
+          {"curves", json_of(model.curves)},
+          {"features", json_of(model.features)},
           {"animations", std::move(animations)},
           {"expressions", std::move(expressions)},
           {"textures", std::move(textures)},
@@ -253,6 +256,11 @@ void print(const document::Model& model, const Doubles& doubles, const io::GltfC
   std::cout << "curves      " << model.curves.size() << '\n';
   for (const document::NamedCurve& curve : model.curves) {
     std::cout << "  " << base::shown_name(curve.name) << "  " << curve.points.size() << " points\n";
+  }
+  if (!model.features.empty()) std::cout << "corrected   " << model.features.size() << '\n';
+  for (const document::NamedCurve& curve : model.features) {
+    std::cout << "  " << base::shown_name(curve.name) << "  "
+              << (curve.points.empty() ? "none" : std::to_string(curve.points.size()) + " points") << '\n';
   }
   std::cout << "animations  " << model.animations.size() << '\n';
   for (const document::Animation& animation : model.animations) {

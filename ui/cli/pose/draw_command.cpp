@@ -117,8 +117,14 @@ void print(const Sheet& sheet, const document::Document& document, const std::ve
 void print(const std::vector<Sheet>& sheets, const document::Document& document,
            const document::FeatureCurves& features) {
   if (features.found) std::cout << "feature curves were found by the shape of the face\n";
-  for (const std::string& name : features.unsure)
+  for (const std::string& name : portrait::names_of(features.unsure))
     std::cout << "  " << name << " is not sure and not used; --curves names it\n";
+  for (const std::string& name : features.doubtful)
+    std::cout << "  " << name << " is not sure; --curves names a better one\n";
+  for (const document::NamedCurve& one : document.model->features) {
+    const char* how = one.points.empty() ? "is none, as somebody said" : "is as it was corrected";
+    std::cout << "  " << base::shown_name(one.name) << ' ' << how << '\n';
+  }
   for (const Sheet& sheet : sheets) print(sheet, document, features.curves);
 }
 

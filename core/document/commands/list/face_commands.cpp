@@ -33,10 +33,14 @@ Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& wor
 }
 
 std::span<const portrait::FeatureCurve> features_of(const Document& document, ApplyWorkspace& work) {
+  return all_features_of(document, work).curves;
+}
+
+const FeatureCurves& all_features_of(const Document& document, ApplyWorkspace& work) {
+  static const FeatureCurves none;
   Parts& parts = work.parts();
   const auto& features = parts.face.features(document, parts.whole_of(document));
-  if (!features) return {};
-  return features->curves;
+  return features ? *features : none;
 }
 
 Changed run(const Document& document, const DrawFaceLine& command, Parts& work) {

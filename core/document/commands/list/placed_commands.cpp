@@ -31,16 +31,20 @@ base::Error wrong_point(std::size_t number, std::string what, std::string remedy
 
 }  // namespace
 
-Changed run(const Document& document, const PlaceCurve& command, Parts&) {
-  if (command.points.empty() || command.points.size() > articulation::k_most_points)
-    return base::Error{"a curve has at least one point and at most 100000", "points", "give others"};
-  const mesh::TriangleMesh& mesh = *document.model->mesh;
-  for (std::size_t i = 0; i < command.points.size(); ++i) {
-    if (is_on(command.points[i], mesh)) continue;
+std::optional<base::Error> check_on_mesh(std::span<const mesh::MeshPoint> points, const mesh::TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_on(points[i], mesh)) continue;
     return wrong_point(
         i, "the point is not on the mesh",
         "give a triangle below " + std::to_string(mesh.triangle_count()) + " and three shares of 0 to 1 that sum to 1");
   }
+  return std::nullopt;
+}
+
+Changed run(const Document& document, const PlaceCurve& command, Parts&) {
+  if (command.points.empty() || command.points.size() > articulation::k_most_points)
+    return base::Error{"a curve has at least one point and at most 100000", "points", "give others"};
+  if (auto error = check_on_mesh(command.points, *document.model->mesh)) return *error;
   PoseCurve curve;
   curve.points = command.points;
   if (command.constraint) {

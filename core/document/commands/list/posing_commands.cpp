@@ -41,24 +41,6 @@ Changed solved(Document document, Preset preset, Parts& work) {
   return document;
 }
 
-base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
-                                                      const std::vector<PxPoint>& line, Parts& work,
-                                                      curve::SheetChoice choice = curve::SheetChoice::nearer) {
-  const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  if (!camera) return at("view", camera.error());
-  const geometry::TriangleBvh& tree = work.surface_of(document);
-  const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
-                                    work.sheets_of(document)};
-  auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface, choice);
-  if (!drawn) return at("line", drawn.error());
-  curve::stand_on_body(*drawn, surface);
-  return drawn;
-}
-
-base::Error no_curve(CurveId id) {
-  return {"there is no curve " + std::to_string(id.value), "curve", "it may have been deleted"};
-}
-
 /// Gives a reference another target, and solves.
 Changed retargeted(const Document& document, const PoseCurve& curve, const View& view, const std::vector<PxPoint>& line,
                    const std::vector<double>& pressure, Parts& work) {
@@ -122,6 +104,23 @@ Changed on_the_sheet_that_was_meant(const Document& before, const PoseCurve& cur
 
 }  // namespace
 
+base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
+                                                      const std::vector<PxPoint>& line, Parts& work) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return at("view", camera.error());
+  const geometry::TriangleBvh& tree = work.surface_of(document);
+  const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
+                                    work.sheets_of(document)};
+  auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface);
+  if (!drawn) return at("line", drawn.error());
+  curve::stand_on_body(*drawn, surface);
+  return drawn;
+}
+
+base::Error no_such_curve(CurveId id) {
+  return {"there is no curve " + std::to_string(id.value), "curve", "it may have been deleted"};
+}
+
 Changed with_curve(const Document& document, PoseCurve curve) {
   if (document.last_curve == std::numeric_limits<std::uint32_t>::max()) {
     return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
@@ -142,7 +141,7 @@ Document with_replaced(const Document& document, PoseCurve curve) {
 
 base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_line) {
   const PoseCurve* curve = find_curve(document, id);
-  if (curve == nullptr) return no_curve(id);
+  if (curve == nullptr) return no_such_curve(id);
   if (curve->role != PoseCurveRole::reference) {
     return base::Error{"curve " + std::to_string(id.value) + " is a constraint", "curve", "name a reference curve"};
   }
@@ -261,7 +260,7 @@ Changed run(const Document& document, const DeleteCurve& command, Parts& work) {
     std::erase_if(drawing.lines, [&](const FaceLine& line) { return line.id == command.curve; });
     return with_face_read(document, std::move(drawing), work);
   }
-  if (find_curve(document, command.curve) == nullptr) return no_curve(command.curve);
+  if (find_curve(document, command.curve) == nullptr) return no_such_curve(command.curve);
   Document changed = document;
   std::erase_if(changed.curves, [&](const auto& curve) { return curve->id == command.curve; });
   return changed;
@@ -319,7 +318,7 @@ Changed run(const Document& document, const SetHand& command, Parts&) {
 
 Changed run(const Document& document, const NameCurve& command, Parts&) {
   const PoseCurve* curve = find_curve(document, command.curve);
-  if (curve == nullptr) return no_curve(command.curve);
+  if (curve == nullptr) return no_such_curve(command.curve);
   if (command.name.empty()) return base::Error{"a curve of the model needs a name", "name", "give one"};
   Model model = *document.model;
   NamedCurve named{command.name, curve->points};

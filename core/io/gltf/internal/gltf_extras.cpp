@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/edition.h"
+#include "core/io/project/internal/named_curve_json.h"
 #include "core/io/project/internal/sketch_json.h"
 
 namespace penpose::io {
@@ -53,20 +54,7 @@ std::optional<base::Error> read_shape(const json::Json& value, const std::string
 }
 
 std::optional<base::Error> read_curve(const json::Json& value, const std::string& pointer, document::NamedCurve& out) {
-  const json::Json* name = json::find(value, "name");
-  const json::Json* points = json::find(value, "points");
-  if (name == nullptr || !name->is_string()) return wrong_extras("a name was expected", pointer);
-  if (points == nullptr || !points->is_array()) return wrong_extras("a list of points was expected", pointer);
-  out.name = name->get<std::string>();
-  for (std::size_t i = 0; i < points->size(); ++i) {
-    const auto numbers = read_numbers((*points)[i], 4);
-    const auto triangle = numbers ? json::whole_number((*points)[i][0], 0, 0xffffffffLL) : std::nullopt;
-    if (!triangle)
-      return wrong_extras("a point [triangle, b0, b1, b2] was expected",
-                          json::child(json::child(pointer, "points"), i));
-    out.points.push_back({static_cast<std::uint32_t>(*triangle), {(*numbers)[1], (*numbers)[2], (*numbers)[3]}});
-  }
-  return std::nullopt;
+  return read_named_curve(value, pointer, k_write_again, out);
 }
 
 std::optional<base::Error> read_flag(const json::Json& object, const char* name, const std::string& pointer,
@@ -163,6 +151,7 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   if (drawn && number && *number < base::k_edition) extras.older_edition = static_cast<std::uint32_t>(*number);
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
+  if (auto error = read_list(*own, "features", pointer, read_curve, extras.features)) return *error;
   if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;
   const auto read_index = [](const json::Json& value, const std::string& at,
                              std::size_t& out) -> std::optional<base::Error> {
@@ -218,14 +207,10 @@ base::Result<std::vector<NodeExtras>> read_node_extras(const json::Json& documen
 }
 
 base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
-  for (std::size_t c = 0; c < root.curves.size(); ++c) {
-    for (std::size_t i = 0; i < root.curves[c].points.size(); ++i) {
-      const mesh::MeshPoint& point = root.curves[c].points[i];
-      const double sum = point.barycentric[0] + point.barycentric[1] + point.barycentric[2];
-      if (point.triangle < triangle_count && std::abs(sum - 1.0) < 1e-6) continue;
-      const std::string curve = json::child(json::child(json::child("/extras", k_extras_key), "curves"), c);
-      return wrong_extras("the point is not on the mesh", json::child(json::child(curve, "points"), i));
-    }
+  const std::string own = json::child("/extras", k_extras_key);
+  for (const auto& [member, curves] : {std::pair{"curves", &root.curves}, std::pair{"features", &root.features}}) {
+    if (auto error = check_named_curves(*curves, triangle_count, json::child(own, member), k_write_again))
+      return *error;
   }
   return base::Done{};
 }
@@ -266,17 +251,8 @@ json::Json write_root_extras(const document::Model& model, const std::vector<std
     if (const auto joint = model.humanoid.joint(bone)) own["humanoid"][document::name_of(bone)] = *joint;
   }
   if (model.front_yaw_degrees != 0) own["front_yaw_degrees"] = model.front_yaw_degrees;
-  if (!model.curves.empty()) {
-    json::Json curves = json::Json::array();
-    for (const document::NamedCurve& curve : model.curves) {
-      json::Json points = json::Json::array();
-      for (const mesh::MeshPoint& p : curve.points) {
-        points.push_back({p.triangle, p.barycentric[0], p.barycentric[1], p.barycentric[2]});
-      }
-      curves.push_back({{"name", curve.name}, {"points", std::move(points)}});
-    }
-    own["curves"] = std::move(curves);
-  }
+  if (!model.curves.empty()) own["curves"] = to_json(std::span(model.curves));
+  if (!model.features.empty()) own["features"] = to_json(std::span(model.features));
   return {{k_extras_key, std::move(own)}};
 }
 

@@ -19,8 +19,9 @@ namespace penpose::io {
 inline constexpr const char* k_extras_key = "penpose";
 
 /// Root: {"edition": base::k_edition, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points":
-/// [[triangle, b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}.
-/// Deformers are also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked":
+/// [[triangle, b0, b1, b2], ...]}], "features": [the same, without points: there is none], "deformers": [a deformer as
+/// sketch files have it, with its own "viewport", ...]}. Deformers are also morph targets of their names, sampled at
+/// amount 1, after those of the shapes, and "baked":
 /// [[NAME, ...], ...] names the targets with the remaining motion of each (baked_deformer.h). "corrections": [a
 /// deformer with its "drivers", ...]. "expressions": [{"name", "values": {TARGET: VALUE}}], "front_yaw_degrees" and
 /// "humanoid": {BONE: number of the joint} keep what a VRM avatar said where the file is none any more. A target that
@@ -40,6 +41,7 @@ struct RootExtras {
   std::uint32_t older_edition = 0;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
+  std::vector<document::NamedCurve> features;  ///< as they were corrected: members as those of "curves"
   std::vector<articulation::Sketch> deformers;
   std::vector<OneWayName> one_way;
   std::vector<articulation::CorrectionSketch> corrections;  ///< also morph targets of their names, behind "baked"

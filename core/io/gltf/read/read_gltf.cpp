@@ -243,6 +243,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   model->pose = std::move(shapes->values);
   model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
   model->curves = root->curves;
+  model->features = root->features;
   model->expressions = std::move(expressions);
   model->front_yaw_degrees = vrm_front_yaw_degrees(document.json);
   model->animations = std::move(animations);

@@ -40,7 +40,7 @@ void write_root(PatchState& state, const json::Json& project, const std::vector<
   const json::Json* extras = json::find(state.builder.root, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const bool needed = state.changed || !project.is_null() || model.deformers || model.corrections ||
-                      !model.curves.empty() || !same_parameters(model);
+                      !model.curves.empty() || !model.features.empty() || !same_parameters(model);
   if (own != nullptr ? *own == made : !needed) return;
   state.changed = true;
   own_extras_of(state.builder.root) = std::move(made);

@@ -84,6 +84,10 @@ std::vector<Command> full_commands() {
           NameClip{{k_strange}},
           DeleteClip{},
           TrimClip{1.0 / 3, 2},
+          DrawFeature{view, some_line(), k_strange},
+          LineIsFeature{CurveId{4294967295U}, k_strange},
+          PlaceFeature{k_strange, {{3, {0.25, 0.5, 0.25}}, {0, {1, 0, 0}}}},
+          FeatureAsFound{k_strange},
           KeyPoses{{"jawOpen", k_strange}, {0, 1.0 / 24}, {0.5, 1e-9, 1, -2}}};
 }
 

@@ -258,6 +258,31 @@ TEST(Pads, EachTabletHasBindingsOfItsOwn) {
       << "its first key is Undo, for the same document";
 }
 
+TEST(Pads, WhileTheFeaturesAreShownHeldPoseDrawsAlongOne) {
+  PadDesk desk("pad-feature");
+  desk.app->of<Bindings>().bind(*desk.app->of<HandDesk>().find(k_pen), pen_button_control(0),
+                                binding_of(ToolKind::pose));
+  desk.app->of<Actions>().run(Action::tool_draw);
+  ASSERT_TRUE(desk.app->of<KeptFeatures>().shown());
+  const auto line = desk.named_curve("brow_L", {0, -8});
+  const auto draw_with_button = [&] {
+    desk.pen(line.front(), false, true);
+    for (const PxPoint& at : line) desk.pen(at, true, true);
+    desk.pen(line.back(), false, true);
+    desk.pen(line.back(), false, false);
+    desk.frames(2);
+  };
+  draw_with_button();
+  ASSERT_EQ(desk.document().model->features.size(), 1U);
+  EXPECT_EQ(desk.document().model->features.front().name, "brow_L");
+  EXPECT_TRUE(desk.document().curves.empty());
+  EXPECT_EQ(desk.tool(), ToolKind::draw);
+  // Afterwards it is Pose again.
+  desk.app->of<KeptFeatures>().hide();
+  draw_with_button();
+  EXPECT_EQ(desk.document().curves.size(), 1U);
+}
+
 TEST(Pads, AButtonOfThePenCanHoldATool) {
   PadDesk desk("pad-barrel");
   desk.draw(desk.named_curve(any_curve(desk)));

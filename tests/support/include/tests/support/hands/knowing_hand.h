@@ -44,9 +44,9 @@ class KnowingHand {
   }
 
   /// The kinds of strokes, tools in the order of drawing::ToolKind; `none` draws nothing.
-  static constexpr std::array<std::string_view, 14> k_kinds{
-      "pose",   "reference", "target", "oversketch", "constraint", "pin",    "articulate",
-      "redraw", "erase",     "none",   "between",    "draw",       "mirror", "perform"};
+  static constexpr std::array<std::string_view, 15> k_kinds{
+      "pose",  "reference", "target",  "oversketch", "constraint", "pin",    "articulate", "redraw",
+      "erase", "none",      "between", "draw",       "feature",    "mirror", "perform"};
   /// Those that did something so far.
   [[nodiscard]] const std::set<std::string>& drawn_kinds() const { return drawn_; }
 
@@ -317,6 +317,28 @@ class KnowingHand {
     if (!doc().face) draw_a_face();
     return document::SetNeutral{random_.chance(0.8) || !doc().neutral};
   }
+  [[nodiscard]] std::string any_feature() { return random_.chance(0.5) ? "lip" : "brow"; }
+  document::Command make(Tag<document::DrawFeature>) {
+    return document::DrawFeature{view(), hand_.line(), random_.chance(0.3) ? std::string() : any_feature()};
+  }
+  document::Command make(Tag<document::LineIsFeature>) {
+    if (doc().face && random_.chance(0.5)) return document::LineIsFeature{any(doc().face->lines).id, any_feature()};
+    return document::LineIsFeature{curve(false), any_feature()};
+  }
+  document::Command make(Tag<document::PlaceFeature>) {
+    document::PlaceFeature command{any_feature(), {}};
+    const bool none = random_.chance(0.3);
+    for (std::size_t i = 2 + random_.below(4); i > 0 && !none; --i) {
+      const double share = random_.real(0, 1);
+      const auto triangle = static_cast<std::uint32_t>(random_.below(doc().model->mesh->triangle_count()));
+      command.points.push_back({triangle, {share, 1 - share, 0}});
+    }
+    return command;
+  }
+  document::Command make(Tag<document::FeatureAsFound>) {
+    const auto& features = doc().model->features;
+    return document::FeatureAsFound{features.empty() ? "lip" : any(features).name};
+  }
 
   document::Command make(Tag<document::KeyPoses>) {
     document::KeyPoses keys;
@@ -411,6 +433,7 @@ class KnowingHand {
       const bool inner = drawing::next_step(doc(), tool) == articulation::CurveRole::specific;
       line = hand_.lasso(middle(), inner ? random_.real(60, 170) : random_.real(180, 300));
     }
+    if (tool.kind == Kind::feature) line = along_a_feature();
     const double pressure = random_.real(0.05, 1);
     const bool draws = tool.kind != Kind::none;
     if (script_.stroke(line, pressure) && draws) drawn_.emplace(k_kinds[static_cast<std::size_t>(tool.kind)]);
@@ -425,6 +448,12 @@ class KnowingHand {
     if (!doc().model->curves.empty()) return;
     static_cast<void>(script_.perform(document::DrawReference{view(), hand_.line()}));
     static_cast<void>(script_.perform(document::NameCurve{document::CurveId{doc().last_curve}, "lip"}));
+  }
+  /// A line along which a feature was just drawn.
+  std::vector<geometry::PxPoint> along_a_feature() {
+    auto line = hand_.line();
+    static_cast<void>(script_.perform(document::DrawFeature{view(), line, "lip"}));
+    return line;
   }
   void draw_a_face() {
     name_a_feature();
@@ -563,8 +592,12 @@ class KnowingHand {
       "add_clip",
       "name_clip",
       "delete_clip",
-      "trim_clip"};
-  static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::draw) + 1;
+      "trim_clip",
+      "draw_feature",
+      "line_is_feature",
+      "place_feature",
+      "feature_as_found"};
+  static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::feature) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;
   bool pressed_ = false;
