@@ -138,7 +138,9 @@ class Figure {
     std::size_t hand = 0;
     while (hand + 1 < joints.size() && body_.branches(joints[hand]).size() < 3) ++hand;
     if (hand > 3 || hand < 1) return;
-    for (std::size_t k = 0; k <= hand; ++k) set(joints[k], k_parts[k + 3 - hand], side, JointKind::limb);
+    // Two joints without fingers are an arm without a hand.
+    const std::size_t first = hand == 1 && body_.branches(joints[hand]).size() < 3 ? 1 : 3 - hand;
+    for (std::size_t k = 0; k <= hand; ++k) set(joints[k], k_parts[k + first], side, JointKind::limb);
     name_fingers(joints[hand], side);
   }
 

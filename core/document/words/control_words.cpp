@@ -30,6 +30,8 @@ constexpr double k_closes = 0.55;
 constexpr double k_half = 1.3;
 /// What does less than this share of what another one of the same words does, does it a little.
 constexpr double k_little = 0.6;
+/// Share of an effect that the mouth has where it makes a sound.
+constexpr double k_mouth_alone = 0.7;
 /// Share of an effect that can tell it from another.
 constexpr double k_telling = 0.12;
 
@@ -104,7 +106,7 @@ class Words {
       say_without_face(i);
       return true;
     }
-    if (const std::string said = expression_named(name(i)); !said.empty()) {
+    if (const std::string said = expression_named(name(i)); !said.empty() && may_be_said(said, sight.effect)) {
       words_[i] = {{said}};
       return true;
     }
@@ -120,6 +122,12 @@ class Words {
     std::stable_sort(sight.deeds.begin(), sight.deeds.end(),
                      [](const LikeDeed& a, const LikeDeed& b) { return a.alike > b.alike; });
     return false;
+  }
+
+  /// Whether an effect may be an expression: sounds are made by the mouth alone, and by both sides of it.
+  [[nodiscard]] static bool may_be_said(const std::string& expression, const FaceEffect& effect) {
+    if (!expression.starts_with("mouth: ")) return true;
+    return effect.side == FaceSide::both && amount_of_mouth(effect.aspects) > k_mouth_alone * amount(effect.aspects);
   }
 
   /// An eye closes, or an upper lid comes down: the one that is not so is no deed of the control.
@@ -219,7 +227,8 @@ class Words {
     return {};
   }
 
-  /// Where several have one text, the likest keeps it, and the others say what tells them from it, or their name.
+  /// Where several have one text, the one that does most keeps it, and the others say what tells them from it, or their
+  /// name.
   void make_unique() {
     std::map<std::string, std::vector<std::size_t>> same;
     for (std::size_t i = 0; i < words_.size(); ++i) same[words_[i].text()].push_back(i);
@@ -228,14 +237,12 @@ class Words {
     for (auto& [text, controls] : same) {
       if (controls.size() < 2) continue;
       std::stable_sort(controls.begin(), controls.end(),
-                       [&](std::size_t a, std::size_t b) { return likeness(a) > likeness(b); });
+                       [&](std::size_t a, std::size_t b) { return amount_of(a) > amount_of(b); });
       for (std::size_t k = 1; k < controls.size(); ++k) tell_apart(controls[k], controls[0], texts);
     }
   }
 
-  [[nodiscard]] double likeness(std::size_t i) const {
-    return sights_[i].deeds.empty() ? 0.0 : sights_[i].deeds.front().alike;
-  }
+  [[nodiscard]] double amount_of(std::size_t i) const { return amount(sights_[i].effect.aspects); }
 
   /// ", inner half", ", outer half" of the lids; empty where both go alike or something else is done.
   [[nodiscard]] std::string half_of_lids(std::size_t i) const {
@@ -255,8 +262,7 @@ class Words {
       return texts.insert(words_[i].text()).second;
     };
     if (tries(half_of_lids(i))) return;
-    if (sight.chosen && sights_[keeper].chosen &&
-        amount(sight.effect.aspects) < k_little * amount(sights_[keeper].effect.aspects) && tries(" a little"))
+    if (sight.chosen && sights_[keeper].chosen && amount_of(i) < k_little * amount_of(keeper) && tries(" a little"))
       return;
     std::set<std::string> tried{plain};
     while (sight.chosen) {

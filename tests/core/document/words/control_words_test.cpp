@@ -111,12 +111,6 @@ TEST(ControlWords, AreOfOneControlAlone) {
   EXPECT_TRUE(texts.contains("jaw opens")) << "one of those that are alike has the plain words";
 }
 
-TEST(ControlWords, SayWhichSideOfTheFaceAndNotOfThePicture) {
-  Model model = head_of({{"mouth_corner_L", "a"}});
-  for (const auto& p : model.mesh->positions()) ASSERT_TRUE(std::isfinite(p.x));
-  EXPECT_EQ(words_by_name(model).at("a"), "smile, left");
-}
-
 TEST(ControlWords, OfASketchedControlAreItsName) {
   const Model demo = character::make_demo_head().value();
   const auto words = words_by_name(demo);
