@@ -49,6 +49,8 @@ void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t
   if (control_slider(context, "##value", value, parameter.minimum, parameter.maximum, look, released)) {
     with.controls.preview_parameter(index, value);
   }
+  note(context, ("words " + shown_name).c_str());
+  tooltip(context, tip_of_control(with.editing.words()[index], parameter.name).c_str());
   if (released) with.controls.set_parameter(index, value);
   ImGui::PopID();
 }
@@ -63,7 +65,7 @@ void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t 
   lock_of(context, with, name);
   ImGui::SameLine();
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  slider_of(context, with, index, name, width);
+  slider_of(context, with, index, with.editing.words()[index].text(), width);
   ImGui::SameLine();
   ButtonLook type{context.unit, false, "Type its value, or change its range", icon::k_pencil, false};
   if (icon_button(context, ("\u270e##type " + name).c_str(), type)) type_value(with, name);
@@ -96,7 +98,7 @@ void pair_menu(PanelContext& context, const ControlRowsOwners& with, const std::
     if (a && b) with.controls.set_parameter(*b, pose[*a]);
   };
   for (const std::string& name : {left, right}) {
-    if (entry("Type " + name + "##type " + name, icon::k_pencil)) type_value(with, name);
+    if (entry("Type " + with.editing.words_of(name) + "##type " + name, icon::k_pencil)) type_value(with, name);
   }
   if (entry("Left to right##pair", icon_of(Action::copy_to_right))) copy(left, right);
   if (entry("Right to left##pair", icon_of(Action::copy_to_left))) copy(right, left);
@@ -110,7 +112,11 @@ void show_pair(PanelContext& context, const ControlRowsOwners& with, const Contr
   const std::string right = parameters[row.second].name;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::PushFont(small_font());
-  ImGui::TextUnformatted(common_name(left, right).c_str());
+  const auto words = with.editing.words();
+  const std::string both = words_of_pair(words[row.first], words[row.second]);
+  ImGui::TextUnformatted(fitted_text(both, ImGui::GetContentRegionAvail().x).c_str());
+  note(context, ("words " + both).c_str());
+  tooltip(context, common_name(left, right).c_str());
   ImGui::PopFont();
   lock_of(context, with, left);
   ImGui::SameLine();

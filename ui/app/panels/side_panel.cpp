@@ -106,8 +106,9 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   return open;
 }
 
-/// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
-/// are not at rest. One that is locked there goes on being listed, so that it can be freed where it was locked.
+/// Which parameters are listed: those whose words or names say what is searched for, and where it is asked for those
+/// alone that are not at rest. One that is locked there goes on being listed, so that it can be freed where it was
+/// locked.
 std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   const auto parameters = with.editing.document().model->rig->parameters();
   const auto& locked = with.editing.document().locked;
@@ -115,6 +116,7 @@ std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   ParameterList& list = with.panels.own.of<ParameterList>();
   if (!list.moved_only) list.moved.clear();
   std::vector<bool> wanted(parameters.size());
+  const auto words = with.editing.words();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
@@ -127,7 +129,8 @@ std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
         list.moved.erase(name);
       }
     }
-    wanted[i] = contains(name, list.filter) && (moved || !list.moved_only);
+    const bool said = contains(name, list.filter) || contains(words[i].text(), list.filter);
+    wanted[i] = said && (moved || !list.moved_only);
   }
   return wanted;
 }
