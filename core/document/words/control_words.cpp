@@ -27,7 +27,9 @@ constexpr double k_second = 0.6, k_second_alike = 0.7;
 /// An upper lid that comes down by a greater share of what is open closes the eye.
 constexpr double k_closes = 0.55;
 /// A half of the lids that goes this many times as far as the other is meant.
-constexpr double k_half = 1.3;
+constexpr double k_half = 1.7;
+/// What the largest effect counts for beside how like a deed one is, where several would be called the same.
+constexpr double k_by_amount = 0.2;
 /// What does less than this share of what another one of the same words does, does it a little.
 constexpr double k_little = 0.6;
 /// Share of an effect that the mouth has where it makes a sound.
@@ -187,6 +189,7 @@ class Words {
       return;
     }
     words_[i].what = words_of_deed(*sight.chosen, both);
+    words_[i].what += half_of_lids(i);
     words_[i].below = below(i);
     const Aspects rest = without(sight.effect.aspects, *sight.chosen);
     if (amount(rest) < k_second * amount(sight.effect.aspects)) return;
@@ -227,8 +230,8 @@ class Words {
     return {};
   }
 
-  /// Where several have one text, the one that does most keeps it, and the others say what tells them from it, or their
-  /// name.
+  /// Where several have one text, the one that does it most and likest keeps it, and the others say what tells them
+  /// from it, or their name.
   void make_unique() {
     std::map<std::string, std::vector<std::size_t>> same;
     for (std::size_t i = 0; i < words_.size(); ++i) same[words_[i].text()].push_back(i);
@@ -236,12 +239,18 @@ class Words {
     for (const auto& [text, controls] : same) texts.insert(text);
     for (auto& [text, controls] : same) {
       if (controls.size() < 2) continue;
+      double most = 1e-300;
+      for (const std::size_t i : controls) most = std::max(most, amount_of(i));
+      const auto score = [&](std::size_t i) { return likeness(i) + k_by_amount * amount_of(i) / most; };
       std::stable_sort(controls.begin(), controls.end(),
-                       [&](std::size_t a, std::size_t b) { return amount_of(a) > amount_of(b); });
+                       [&](std::size_t a, std::size_t b) { return score(a) > score(b); });
       for (std::size_t k = 1; k < controls.size(); ++k) tell_apart(controls[k], controls[0], texts);
     }
   }
 
+  [[nodiscard]] double likeness(std::size_t i) const {
+    return sights_[i].deeds.empty() ? 0.0 : sights_[i].deeds.front().alike;
+  }
   [[nodiscard]] double amount_of(std::size_t i) const { return amount(sights_[i].effect.aspects); }
 
   /// ", inner half", ", outer half" of the lids; empty where both go alike or something else is done.
@@ -249,7 +258,8 @@ class Words {
     const Sight& sight = sights_[i];
     if (!sight.chosen) return {};
     const std::string_view words = words_of_deed(*sight.chosen, false);
-    if (!words.starts_with("eye ") && words.find("lid") == std::string_view::npos) return {};
+    const bool lids = words.starts_with("eye ") || words.find("lid") != std::string_view::npos;
+    if (!lids || words.find("looks") != std::string_view::npos) return {};
     if (sight.effect.lid_inner > k_half * sight.effect.lid_outer) return ", inner half";
     return sight.effect.lid_outer > k_half * sight.effect.lid_inner ? ", outer half" : "";
   }
@@ -261,7 +271,6 @@ class Words {
       words_[i].what = plain + more;
       return texts.insert(words_[i].text()).second;
     };
-    if (tries(half_of_lids(i))) return;
     if (sight.chosen && sights_[keeper].chosen && amount_of(i) < k_little * amount_of(keeper) && tries(" a little"))
       return;
     std::set<std::string> tried{plain};
