@@ -36,6 +36,15 @@ void lock_of(PanelContext& context, const ControlRowsOwners& with, const std::st
   }
 }
 
+/// The name in files, after the words where they do not stand on the slider as a whole.
+std::string slider_tip(PanelContext& context, const document::ControlWords& words, const std::string& name,
+                       const std::string& shown, float width) {
+  const std::string text = words.text();
+  const std::string tip = tip_of_control(words, name);
+  const float room = width - ImGui::CalcTextSize("-0.00").x - context.unit;
+  return shown == text && ImGui::CalcTextSize(text.c_str()).x <= room ? tip : text + "\n" + tip;
+}
+
 void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t index, const std::string& shown_name,
                float width) {
   const document::Document& document = with.editing.document();
@@ -50,7 +59,7 @@ void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t
     with.controls.preview_parameter(index, value);
   }
   note(context, ("words " + shown_name).c_str());
-  tooltip(context, tip_of_control(with.editing.words()[index], parameter.name).c_str());
+  tooltip(context, slider_tip(context, with.editing.words()[index], parameter.name, shown_name, width).c_str());
   if (released) with.controls.set_parameter(index, value);
   ImGui::PopID();
 }

@@ -34,7 +34,10 @@ TEST(KnownWords, StandInTheRowsAndTheNameOfTheFileInTheTooltip) {
   Desk desk("words-rows");
   desk.begin();
   ASSERT_NE(desk.interface->find("words brow inner"), nullptr) << "a pair is called once";
-  EXPECT_EQ(tip_on(desk, "slider brow_inner_L").substr(0, 12), "brow_inner_L");
+  EXPECT_NE(tip_on(desk, "slider brow_inner_L").find("\nbrow_inner_L"), std::string::npos);
+  desk.app->of<Pointer>().moved({600, 300});
+  desk.frames();
+  EXPECT_EQ(desk.interface->tip(), "") << "the canvas has none";
 }
 
 TEST(SharedKnownWords, RowsAreFoundByWordsAndByNames) {
@@ -49,7 +52,7 @@ TEST(SharedKnownWords, RowsAreFoundByWordsAndByNames) {
     EXPECT_EQ(desk.interface->find("slider jawOpen"), nullptr) << filter;
   }
   EXPECT_NE(desk.interface->find("words smile"), nullptr);
-  EXPECT_EQ(tip_on(desk, "slider mouthSmile_L"), "mouthSmile_L");
+  EXPECT_EQ(tip_on(desk, "slider mouthSmile_L"), "smile, left\nmouthSmile_L");
 }
 
 TEST(SharedKnownWords, AreWhatIsSaidOfWhatMovedAndWhatSearchFinds) {
@@ -67,6 +70,27 @@ TEST(SharedKnownWords, AreWhatIsSaidOfWhatMovedAndWhatSearchFinds) {
     EXPECT_EQ(found.front().text, "mouth corner down, right");
     EXPECT_EQ(found.front().control, "mouthFrown_R");
   }
+}
+
+TEST(SharedKnownWords, ShapesWhoseNamesAllBeginAlikeAreGroupedByWhatTheyMove) {
+  if (!tests::has_shared()) GTEST_SKIP() << "no shared data";
+  Desk desk("words-groups", face());
+  desk.begin();
+  const auto& targets = desk.interface->targets();
+  const auto has = [&](const std::string& part) {
+    return std::any_of(targets.begin(), targets.end(),
+                       [&](const auto& one) { return one.first.find(part) != std::string::npos; });
+  };
+  EXPECT_FALSE(has("group Brows")) << "names that tell something group the list";
+  document::Model model = *desk.document().model;
+  std::vector<rig::BlendShape> shapes(model.shapes->shapes().begin(), model.shapes->shapes().end());
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].parameter.name = "shape_" + std::to_string(i);
+  const auto made = rig::BlendShapes::make(std::move(shapes), model.mesh->vertex_count()).value();
+  auto renamed = document::make_model(model.mesh, made, model.skeleton).value();
+  desk.app->of<EditingSession>().open(document::make_document(std::move(renamed)), nullptr, "");
+  desk.frames();
+  EXPECT_TRUE(has("group Brows"));
+  EXPECT_TRUE(has("words brow down"));
 }
 
 }  // namespace

@@ -133,7 +133,9 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
   }
   if (pointed) {
     const auto parameters = with.editing.document().model->rig->parameters();
-    tooltip(context, tip_of_control(with.editing.words()[*pointed], parameters[*pointed].name).c_str());
+    const document::ControlWords& words = with.editing.words()[*pointed];
+    // The names have little room.
+    tooltip(context, (words.text() + "\n" + tip_of_control(words, parameters[*pointed].name)).c_str());
   }
   ImGui::EndChild();
 }
