@@ -124,13 +124,13 @@ void show_pair(PanelContext& context, const ControlRowsOwners& with, const Contr
   const auto words = with.editing.words();
   const std::string both = words_of_pair(words[row.first], words[row.second]);
   ImGui::TextUnformatted(fitted_text(both, ImGui::GetContentRegionAvail().x).c_str());
-  note(context, ("words " + both).c_str());
   tooltip(context, common_name(left, right).c_str());
   ImGui::PopFont();
   lock_of(context, with, left);
   ImGui::SameLine();
   const float width = 0.5F * (ImGui::GetContentRegionAvail().x - 2 * (context.unit + spacing) - spacing);
   slider_of(context, with, row.first, "L", width);
+  note(context, ("words " + both).c_str());
   ImGui::SameLine();
   slider_of(context, with, row.second, "R", width);
   ImGui::SameLine();
