@@ -32,8 +32,8 @@ constexpr double k_half = 1.7;
 constexpr double k_by_amount = 0.2;
 /// What does less than this share of what another one of the same words does, does it a little.
 constexpr double k_little = 0.6;
-/// Share of an effect that the mouth has where it makes a sound.
-constexpr double k_mouth_alone = 0.7;
+/// Share of an effect that brows and eyes may have where the mouth makes a sound.
+constexpr double k_besides = 0.5;
 /// Share of an effect that can tell it from another.
 constexpr double k_telling = 0.12;
 
@@ -126,10 +126,10 @@ class Words {
     return false;
   }
 
-  /// Whether an effect may be an expression: sounds are made by the mouth alone, and by both sides of it.
+  /// Whether an effect may be an expression: sounds are made below the eyes, and by both sides.
   [[nodiscard]] static bool may_be_said(const std::string& expression, const FaceEffect& effect) {
     if (!expression.starts_with("mouth: ")) return true;
-    return effect.side == FaceSide::both && amount_of_mouth(effect.aspects) > k_mouth_alone * amount(effect.aspects);
+    return effect.side == FaceSide::both && amount_of_eyes(effect.aspects) < k_besides * amount(effect.aspects);
   }
 
   /// An eye closes, or an upper lid comes down: the one that is not so is no deed of the control.

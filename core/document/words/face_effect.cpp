@@ -135,12 +135,12 @@ double product(const Aspects& a, const Aspects& b) {
 
 double amount(const Aspects& aspects) { return std::sqrt(product(aspects, aspects)); }
 
-double amount_of_mouth(const Aspects& aspects) {
+double amount_of_eyes(const Aspects& aspects) {
   double sum = 0;
   for (std::size_t i = 0; i < k_aspects; ++i) {
     const auto aspect = static_cast<Aspect>(i);
-    const bool mouth = aspect >= Aspect::corner_out && aspect != Aspect::gaze_out && aspect != Aspect::gaze_up;
-    if (mouth) sum += aspects[i] * aspects[i];
+    const bool eyes = aspect <= Aspect::lids_out || aspect == Aspect::gaze_out || aspect == Aspect::gaze_up;
+    if (eyes) sum += aspects[i] * aspects[i];
   }
   return std::sqrt(sum);
 }

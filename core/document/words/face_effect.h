@@ -58,8 +58,8 @@ using Aspects = std::array<double, k_aspects>;
 
 [[nodiscard]] double product(const Aspects& a, const Aspects& b);
 [[nodiscard]] double amount(const Aspects& aspects);
-/// Of lips, corners of the mouth, chin and tongue alone.
-[[nodiscard]] double amount_of_mouth(const Aspects& aspects);
+/// Of brows, lids and gaze alone.
+[[nodiscard]] double amount_of_eyes(const Aspects& aspects);
 /// How much an eye sees of an aspect, 1 for most.
 [[nodiscard]] double weight(Aspect aspect);
 /// "mouth corner up", "mouth corner down".

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/document/humanoid_rest.h"
 #include "core/document/words/face_marks.h"
 
 namespace penpose::document {
@@ -95,7 +94,9 @@ class FaceMarks::Maker {
     upper_ = find_curve(features_, "lip_upper_inner", "lip_upper");
     lower_ = find_curve(features_, "lip_lower_inner", "lip_lower");
     const bool lips = upper_ != nullptr && lower_ != nullptr;
-    if (!eyes && !lips) return place_by_joints();
+    if (!eyes && !lips) return false;
+    eyes_found_ = eyes;
+    lips_found_ = lips;
     if (lips) {
       mouth_ = 0.5 * (middle(*upper_) + middle(*lower_));
       mouth_wide_ = std::abs(place(upper_->points.back()).x - place(upper_->points.front()).x);
@@ -117,21 +118,6 @@ class FaceMarks::Maker {
   void place_mouth() {
     mouth_ = 0.5 * (face_.eyes_[0] + face_.eyes_[1]) - ModelVector(0, 1.05 * face_.unit_, 0);
     mouth_wide_ = 0.75 * face_.unit_;
-  }
-
-  /// By the joints of the eyes.
-  bool place_by_joints() {
-    const Humanoid humanoid = humanoid_of(model_);
-    const std::array joints{humanoid.joint(HumanBone::left_eye), humanoid.joint(HumanBone::right_eye)};
-    if (!joints[0] || !joints[1]) return false;
-    const auto rest = rest_joints(model_.skeleton->joints());
-    for (std::size_t side = 0; side < 2; ++side) face_.eyes_[side] = face_.frame_.local(rest[*joints[side]].position);
-    face_.unit_ = geometry::distance(face_.eyes_[0], face_.eyes_[1]);
-    if (!(face_.unit_ > 1e-9)) return false;
-    place_mouth();
-    eye_wide_ = 0.45 * face_.unit_;
-    middle_x_ = mouth_.x;
-    return true;
   }
 
   void add_point(Weights& to, const posing::CurvePoint& point, double share) {
@@ -189,6 +175,7 @@ class FaceMarks::Maker {
 
   void add_brow(std::size_t side) {
     const auto* brow = find_curve(features_, std::string("brow") + suffix(side));
+    if (brow == nullptr && !eyes_found_) return;
     if (brow == nullptr) {
       const ModelPoint& eye = face_.eyes_[side];
       const double up = eye.y + 0.38 * face_.unit_;
@@ -207,9 +194,6 @@ class FaceMarks::Maker {
     const auto* upper = find_curve(features_, std::string("eyelid_upper") + suffix(side));
     const auto* lower = find_curve(features_, std::string("eyelid_lower") + suffix(side));
     if (upper == nullptr || lower == nullptr) {
-      const ModelPoint& eye = face_.eyes_[side];
-      add_patch(Mark::lid_upper, side, {eye.x, eye.y + 0.12 * face_.unit_, 0});
-      add_patch(Mark::lid_lower, side, {eye.x, eye.y - 0.12 * face_.unit_, 0});
       return;
     }
     const auto [from, to] = extent(*upper, side);
@@ -229,14 +213,7 @@ class FaceMarks::Maker {
 
   void add_lips(std::size_t side) {
     const double corner = mouth_.x + sign(side) * 0.5 * mouth_wide_;
-    if (upper_ == nullptr || lower_ == nullptr) {
-      for (const auto& [mark, up] : {std::pair{Mark::lip_upper, 0.05}, std::pair{Mark::lip_lower, -0.05}})
-        add_patch(mark, side, {0.5 * (mouth_.x + corner), mouth_.y + up * face_.unit_, 0});
-      for (const auto& [mark, up] : {std::pair{Mark::lip_upper_middle, 0.05}, std::pair{Mark::lip_lower_middle, -0.05}})
-        add_patch(mark, side, {mouth_.x, mouth_.y + up * face_.unit_, 0});
-      add_patch(Mark::corner, side, {corner, mouth_.y, 0});
-      return;
-    }
+    if (!lips_found_) return;
     add_lip(Mark::lip_upper, Mark::lip_upper_middle, side, upper_);
     add_lip(Mark::lip_lower, Mark::lip_lower_middle, side, lower_);
     for (const auto* lip : {upper_, lower_}) {
@@ -274,17 +251,19 @@ class FaceMarks::Maker {
       add_point(at(mark, side), posing::at_vertex(one.second), 1.0 / static_cast<double>(near.size()));
   }
 
+  /// What lies between features that were found.
   void add_skin(std::size_t side) {
+    if (!lips_found_) return;
     const ModelPoint& eye = face_.eyes_[side];
     const double high = eye.y - mouth_.y;
     const double out = sign(side);
     const double half = 0.5 * mouth_wide_;
-    add_patch(Mark::cheek, side, {eye.x + out * 0.05 * face_.unit_, eye.y - 0.45 * high, 0});
+    if (eyes_found_) add_patch(Mark::cheek, side, {eye.x + out * 0.05 * face_.unit_, eye.y - 0.45 * high, 0});
     add_patch(Mark::cheek_hollow, side,
               {mouth_.x + out * std::max(half + 0.3 * face_.unit_, 0.62 * face_.unit_), mouth_.y + 0.12 * high, 0});
     const auto* base = find_curve(features_, "nose_base");
     const double low = base != nullptr ? middle(*base).y : mouth_.y + 0.32 * high;
-    add_patch(Mark::nose_wing, side, {middle_x_ + out * 0.22 * face_.unit_, low + 0.08 * high, 0});
+    if (eyes_found_) add_patch(Mark::nose_wing, side, {middle_x_ + out * 0.22 * face_.unit_, low + 0.08 * high, 0});
     const auto* chin = find_curve(features_, "chin");
     const double down = chin != nullptr ? middle(*chin).y + 0.1 * high : mouth_.y - 0.5 * high;
     add_patch(Mark::chin, side, {mouth_.x + out * 0.06 * face_.unit_, down, 0});
@@ -301,9 +280,9 @@ class FaceMarks::Maker {
     for (const Piece& piece : pieces) {
       if (piece.vertices.size() < 8) continue;
       for (std::size_t side = 0; side < 2; ++side) {
-        if (is_ball(piece, side)) add_ball(piece, side);
+        if (eyes_found_ && is_ball(piece, side)) add_ball(piece, side);
       }
-      if (is_inside(piece)) {
+      if (lips_found_ && is_inside(piece)) {
         face_.inside_.emplace_back();
         const std::size_t step = piece.vertices.size() / 24 + 1;
         const double count = static_cast<double>((piece.vertices.size() + step - 1) / step);
@@ -352,6 +331,7 @@ class FaceMarks::Maker {
   const FeatureCurve* upper_ = nullptr;
   const FeatureCurve* lower_ = nullptr;
   ModelPoint mouth_{0};
+  bool eyes_found_ = false, lips_found_ = false;
   double mouth_wide_ = 0, eye_wide_ = 0, middle_x_ = 0;
 };
 
