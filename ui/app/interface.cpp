@@ -184,6 +184,7 @@ void Interface::frame(double passed_s) {
   if (pictures_->waits()) disturb();
   menu_open_ = context.menu_open;
   fields_ = std::move(context.fields);
+  tip_ = std::move(context.tip);
   tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
   // ImGui shows a window that fits its text one frame after it is made.
   const bool tip_shows = context.tip_waits && context.tip_due;

@@ -61,6 +61,8 @@ class Interface {
   [[nodiscard]] const Area* find(std::string_view label) const;
   /// All of them.
   [[nodiscard]] const std::map<std::string, Area, std::less<>>& targets() const;
+  /// What the tooltip says that was shown in the last frame; empty: there was none.
+  [[nodiscard]] const std::string& tip() const { return tip_; }
   /// Grows when the letters' picture has to be sent to the graphics card again.
   [[nodiscard]] int font_revision() const { return font_revision_; }
 
@@ -108,6 +110,7 @@ class Interface {
   double rested_s_ = 0;                  ///< and for how long
   bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
   bool tip_shows_ = false;
+  std::string tip_;
   int font_revision_ = 0;
   std::optional<PxPoint> pointer_;
   Clipboard clipboard_;

@@ -49,7 +49,8 @@ bool take_number(const EntryDialogsOwners& with, std::size_t index) {
   const rig::Parameter parameter = with.editing.document().model->rig->parameters()[index];
   if (entry.field == NumberEntry::Field::value) {
     if (*value < parameter.minimum || *value > parameter.maximum) {
-      with.notices.tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
+      with.notices.tell(with.editing.words_of(parameter.name) + " goes from " + shown(parameter.minimum) + " to " +
+                        shown(parameter.maximum));
     }
     with.controls.set_parameter(index, *value);
     return true;
@@ -89,7 +90,7 @@ void show_number_dialog(PanelContext& context, EditingSession& editing, Controls
   }
   const rig::Parameter parameter = model.rig->parameters()[*index];
   const bool has_range = model.deformers && articulation::find_deformer(*model.deformers, parameter.name).has_value();
-  if (begin_dialog(context, (parameter.name + "###number").c_str(), 9)) {
+  if (begin_dialog(context, (editing.words_of(parameter.name) + "###number").c_str(), 9)) {
     using Field = NumberEntry::Field;
     const std::array<std::pair<Field, std::string>, 3> fields{
         {{Field::value, "Value " + shown(editing.document().pose[*index])},

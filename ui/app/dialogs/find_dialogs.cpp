@@ -21,7 +21,7 @@ constexpr float k_find_dialog_wide = 17;
 
 /// What is looked through, and changed by what is found.
 struct FindDialogsOwners {
-  const EditingSession& editing;
+  EditingSession& editing;
   Playback& playback;
   const Preferences& preferences;
   Leaving& leaving;
@@ -31,7 +31,7 @@ struct FindDialogsOwners {
 
 SearchedIn searched_in(const FindDialogsOwners& with) {
   return {with.editing.document(), with.preferences.settings().keys, with.playback.rate(),
-          with.preferences.settings().recent};
+          with.preferences.settings().recent, with.editing.words()};
 }
 
 std::string_view icon_of(const FoundCommand& found) {
@@ -80,7 +80,7 @@ void do_found(PanelContext& context, const FindDialogsOwners& with, const FoundC
       with.panels.shown = true;
       with.panels.controls_tab = false;
       with.panels.own.of<ParameterList>().moved_only = false;
-      with.panels.own.of<ParameterList>().filter = found.text;
+      with.panels.own.of<ParameterList>().filter = found.control;
       break;
     case FoundCommand::Kind::pose:
       with.playback.go_to(found.time_s);
@@ -107,7 +107,8 @@ void show_search_dialog(PanelContext& context, EditingSession& editing, Playback
     for (std::size_t i = 0; i < found.size(); ++i) {
       const FoundCommand& one = found[i];
       const std::string label = one.text + "##found " + std::to_string(static_cast<int>(one.kind)) + one.detail;
-      if (row(context, label, icon_of(one), one.detail, i == dialogs.state<SearchEntry>().chosen)) done = one;
+      if (row(context, label, icon_of(one), one.detail, i == dialogs.state<SearchEntry>().chosen, one.control.c_str()))
+        done = one;
       if (i == dialogs.state<SearchEntry>().chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     }
     if (found.empty()) ImGui::TextWrapped("Nothing is called that.");

@@ -91,7 +91,10 @@ std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view t
     const document::Document& document = in.document;
     const auto parameters = document.model->rig->parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      add({FoundKind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");
+      const std::string& name = parameters[i].name;
+      add({FoundKind::control, i < in.words.size() ? in.words[i].text() : name, base::format_fixed(document.pose[i], 2),
+           Action::tool_pose, 0, name},
+          "control " + name);
     }
     for (const auto& key : document.timeline->keys) {
       if (key.name.empty()) continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "core/document/words/control_words.h"
 #include "ui/app/key_map.h"
 
 namespace penpose::app {
@@ -18,7 +19,8 @@ struct FoundCommand {
   std::string text;    ///< what it is called
   std::string detail;  ///< its key, its value, where it lies
   Action action = Action::tool_pose;
-  double time_s = 0;  ///< of a pose
+  double time_s = 0;         ///< of a pose
+  std::string control = {};  ///< its name in files
 };
 
 inline constexpr std::size_t k_most_found = 200;
@@ -29,6 +31,7 @@ struct SearchedIn {
   const KeyMap& keys;
   int rate = 24;  ///< frames a second
   std::span<const std::string> recent_files;
+  std::span<const document::ControlWords> words = {};  ///< one a parameter; empty: controls are called by their names
 };
 
 /// Actions, controls, keyed poses and recent files with all words of the text in their names or in what is said of

@@ -84,8 +84,9 @@ void Dials::turn_control(double notches) {
   parts_.controls.preview_parameter(*index, value_);
   char value[32];
   std::snprintf(value, sizeof value, "%.2f", value_);
-  parts_.notices.take_away([&](const Notice& notice) { return notice.text.starts_with(control_ + " at "); });
-  parts_.notices.tell(control_ + " at " + value);
+  const std::string words = parts_.editing.words_of(control_);
+  parts_.notices.take_away([&](const Notice& notice) { return notice.text.starts_with(words + " at "); });
+  parts_.notices.tell(words + " at " + value);
 }
 
 void Dials::end() {

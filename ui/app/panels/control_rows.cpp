@@ -36,6 +36,15 @@ void lock_of(PanelContext& context, const ControlRowsOwners& with, const std::st
   }
 }
 
+/// The name in files, after the words where they do not stand on the slider as a whole.
+std::string slider_tip(PanelContext& context, const document::ControlWords& words, const std::string& name,
+                       const std::string& shown, float width) {
+  const std::string text = words.text();
+  const std::string tip = tip_of_control(words, name);
+  const float room = width - ImGui::CalcTextSize("-0.00").x - context.unit;
+  return shown == text && ImGui::CalcTextSize(text.c_str()).x <= room ? tip : text + "\n" + tip;
+}
+
 void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t index, const std::string& shown_name,
                float width) {
   const document::Document& document = with.editing.document();
@@ -49,6 +58,8 @@ void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t
   if (control_slider(context, "##value", value, parameter.minimum, parameter.maximum, look, released)) {
     with.controls.preview_parameter(index, value);
   }
+  note(context, ("words " + shown_name).c_str());
+  tooltip(context, slider_tip(context, with.editing.words()[index], parameter.name, shown_name, width).c_str());
   if (released) with.controls.set_parameter(index, value);
   ImGui::PopID();
 }
@@ -63,7 +74,7 @@ void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t 
   lock_of(context, with, name);
   ImGui::SameLine();
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  slider_of(context, with, index, name, width);
+  slider_of(context, with, index, with.editing.words()[index].text(), width);
   ImGui::SameLine();
   ButtonLook type{context.unit, false, "Type its value, or change its range", icon::k_pencil, false};
   if (icon_button(context, ("\u270e##type " + name).c_str(), type)) type_value(with, name);
@@ -96,7 +107,7 @@ void pair_menu(PanelContext& context, const ControlRowsOwners& with, const std::
     if (a && b) with.controls.set_parameter(*b, pose[*a]);
   };
   for (const std::string& name : {left, right}) {
-    if (entry("Type " + name + "##type " + name, icon::k_pencil)) type_value(with, name);
+    if (entry("Type " + with.editing.words_of(name) + "##type " + name, icon::k_pencil)) type_value(with, name);
   }
   if (entry("Left to right##pair", icon_of(Action::copy_to_right))) copy(left, right);
   if (entry("Right to left##pair", icon_of(Action::copy_to_left))) copy(right, left);
@@ -110,12 +121,16 @@ void show_pair(PanelContext& context, const ControlRowsOwners& with, const Contr
   const std::string right = parameters[row.second].name;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::PushFont(small_font());
-  ImGui::TextUnformatted(common_name(left, right).c_str());
+  const auto words = with.editing.words();
+  const std::string both = words_of_pair(words[row.first], words[row.second]);
+  ImGui::TextUnformatted(fitted_text(both, ImGui::GetContentRegionAvail().x).c_str());
+  tooltip(context, common_name(left, right).c_str());
   ImGui::PopFont();
   lock_of(context, with, left);
   ImGui::SameLine();
   const float width = 0.5F * (ImGui::GetContentRegionAvail().x - 2 * (context.unit + spacing) - spacing);
   slider_of(context, with, row.first, "L", width);
+  note(context, ("words " + both).c_str());
   ImGui::SameLine();
   slider_of(context, with, row.second, "R", width);
   ImGui::SameLine();

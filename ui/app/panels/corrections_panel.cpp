@@ -64,7 +64,7 @@ void show_corrections(PanelContext& context, EditingSession& editing, Controls& 
     const std::string& name = one->drawn.sketch.name;
     std::string tip = "Corrects";
     for (const articulation::Driver& driver : one->drawn.drivers) {
-      tip += " " + driver.control + " " + base::format_fixed(driver.value, 2);
+      tip += " " + with.editing.words_of(driver.control) + " " + base::format_fixed(driver.value, 2);
     }
     ImGui::PushID(name.c_str());
     ImGui::TextUnformatted(name.c_str());

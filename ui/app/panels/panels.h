@@ -47,7 +47,8 @@ struct PanelContext {
   std::vector<ScrollArea> menu_scrolls = {};  ///< of an open menu, which nothing else is hit beside
   std::optional<std::pair<std::uint32_t, double>> scrolled = {};  ///< what a drag moved, and by how many px down
   bool tip_due = false;                                           ///< the pointer has rested long enough for a tooltip
-  bool tip_waits = false;                                         ///< it rests on something that has one
+  std::string tip = {};    ///< what the tooltip says that is shown; empty: none is
+  bool tip_waits = false;  ///< it rests on something that has one
 };
 
 /// Where panels lie in the window.

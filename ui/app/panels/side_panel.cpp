@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/base/text/letters.h"
+#include "ui/app/controls/control_parts.h"
 #include "ui/app/panels/control_rows.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_parts.h"
@@ -25,6 +27,10 @@ struct SidePanelOwners {
   PanelState& panels;
 };
 
+/// Groups by the parts of the face, in the order of FacePart. First words begin small.
+constexpr std::array<const char*, 4> k_parts{"Others", "Brows", "Eyes", "Mouth"};
+/// A group that holds a greater share of the shapes tells nothing.
+constexpr double k_one_group = 0.8;
 /// With more parameters than these they stand in groups.
 constexpr std::size_t k_many = 16;
 /// Share of its range from which on a control is away from rest.
@@ -40,6 +46,27 @@ std::string first_word(std::string_view name) {
   std::size_t end = 0;
   while (end < name.size() && name[end] >= 'a' && name[end] <= 'z') ++end;
   return end > 1 ? std::string(name.substr(0, end)) : std::string();
+}
+
+/// The groups of parameters, one each: by the first words of their names; where nearly all shapes begin alike, which
+/// tells nothing, by the parts of the face that they move.
+std::vector<std::string> groups_of(const SidePanelOwners& with) {
+  const document::Document& document = with.editing.document();
+  const auto parameters = document.model->rig->parameters();
+  std::vector<std::string> groups;
+  std::map<std::string, std::size_t> counts;
+  const std::size_t shapes = document::weight_count(*document.model);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    groups.push_back(first_word(parameters[i].name));
+    if (i < shapes) ++counts[groups.back()];
+  }
+  const auto alike = std::any_of(counts.begin(), counts.end(), [&](const auto& one) {
+    return static_cast<double>(one.second) > k_one_group * static_cast<double>(shapes);
+  });
+  if (!alike || shapes <= k_many) return groups;
+  const auto& parts = with.panels.own.of<ControlParts>().of(document, with.editing.features());
+  for (std::size_t i = 0; i < shapes; ++i) groups[i] = k_parts[static_cast<std::size_t>(parts[i])];
+  return groups;
 }
 
 /// Frees one group and locks all others, or frees all again.
@@ -106,8 +133,9 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   return open;
 }
 
-/// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
-/// are not at rest. One that is locked there goes on being listed, so that it can be freed where it was locked.
+/// Which parameters are listed: those whose words or names say what is searched for, and where it is asked for those
+/// alone that are not at rest. One that is locked there goes on being listed, so that it can be freed where it was
+/// locked.
 std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   const auto parameters = with.editing.document().model->rig->parameters();
   const auto& locked = with.editing.document().locked;
@@ -115,6 +143,7 @@ std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   ParameterList& list = with.panels.own.of<ParameterList>();
   if (!list.moved_only) list.moved.clear();
   std::vector<bool> wanted(parameters.size());
+  const auto words = with.editing.words();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
@@ -127,27 +156,40 @@ std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
         list.moved.erase(name);
       }
     }
-    wanted[i] = contains(name, list.filter) && (moved || !list.moved_only);
+    const bool said = list.filter.empty() || contains(name, list.filter) || contains(words[i].text(), list.filter);
+    wanted[i] = said && (moved || !list.moved_only);
   }
   return wanted;
+}
+
+/// Rows of groups by the parts of the face one after the other; those of other groups stay.
+void join_groups(std::vector<ControlRow>& rows, const std::vector<std::string>& groups) {
+  const auto rank = [&](const ControlRow& row) {
+    constexpr std::array k_order{k_parts[1], k_parts[2], k_parts[3], k_parts[0]};
+    return std::find(k_order.begin(), k_order.end(), groups[row.first]) - k_order.begin();
+  };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const ControlRow& a, const ControlRow& b) { return rank(a) < rank(b); });
 }
 
 void show_list(PanelContext& context, const SidePanelOwners& with) {
   // A row may perform a command that makes another rig: the list is of the one there was.
   const auto rig = with.editing.document().model->rig;
   const auto parameters = rig->parameters();
-  const auto rows = control_rows(parameters, wanted_parameters(with));
+  auto rows = control_rows(parameters, wanted_parameters(with));
   const bool grouped = with.panels.own.of<ParameterList>().filter.empty() &&
                        !with.panels.own.of<ParameterList>().moved_only && parameters.size() > k_many;
+  const auto groups = grouped ? groups_of(with) : std::vector<std::string>(parameters.size());
+  if (grouped) join_groups(rows, groups);
   std::string group;
   bool open = true;
   for (std::size_t i = 0; i < rows.size() && with.editing.document().model->rig == rig; ++i) {
-    const std::string word = first_word(parameters[rows[i].first].name);
+    const std::string& word = groups[rows[i].first];
     if (grouped && word != group) {
       group = word;
       open = true;
       std::vector<std::string> members;
-      for (std::size_t k = i; k < rows.size() && first_word(parameters[rows[k].first].name) == word; ++k) {
+      for (std::size_t k = i; k < rows.size() && groups[rows[k].first] == word; ++k) {
         members.push_back(parameters[rows[k].first].name);
         if (rows[k].pair()) members.push_back(parameters[rows[k].second].name);
       }

@@ -13,7 +13,7 @@ namespace penpose::app {
 namespace {
 
 /// The first few controls that would move, a line each, and how many more there are.
-std::string moved_text(const SuggestionOffer& offer) {
+std::string moved_text(EditingSession& editing, const SuggestionOffer& offer) {
   constexpr std::size_t k_named = 5;
   const auto& movements = offer.movements();
   if (movements.empty()) {
@@ -27,7 +27,7 @@ std::string moved_text(const SuggestionOffer& offer) {
     std::snprintf(number, sizeof number, "%+.2f  ", movements[i].by);
     if (i > 0) text += '\n';
     text += number;
-    text += movements[i].name;
+    text += editing.words_of(movements[i].name);
   }
   if (movements.size() > k_named) {
     text += "\nand ";
@@ -60,7 +60,7 @@ void show_suggestion(PanelContext& context, const Area& /*area*/, EditingSession
   const Area free = canvas.free_area();
   const double width =
       std::min(7.5 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
-  const std::string text = moved_text(offer);
+  const std::string text = moved_text(editing, offer);
   const std::string title = "Suggested by " + std::to_string(offer.suggestion().keys) + " keyed poses";
   const auto inside = static_cast<float>(width) - 2 * ImGui::GetStyle().WindowPadding.x;
   const float lines = ImGui::CalcTextSize(title.c_str(), nullptr, false, inside).y +

@@ -133,6 +133,17 @@ const std::vector<std::size_t>& EditingSession::two_sided_pairs() {
   return pairs_;
 }
 
+std::span<const document::ControlWords> EditingSession::words() {
+  return words_.of(
+      *document().model, [&]() -> const intent::WholeModel& { return shown_.whole_model(); },
+      [&] { return features(); });
+}
+
+std::string EditingSession::words_of(const std::string& parameter) {
+  const auto number = rig::find_parameter(document().model->rig->parameters(), parameter);
+  return number ? words()[*number].text() : parameter;
+}
+
 void EditingSession::follow_habits(const document::Document& before, bool solved) {
   const document::Document& now = document();
   if (before.model != now.model || before.pose == now.pose) return;

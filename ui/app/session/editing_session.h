@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "replay/session/live_session.h"
+#include "ui/app/controls/known_words.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/playback/curve_moments.h"
 #include "ui/app/session/last_stroke.h"
@@ -59,6 +60,10 @@ class EditingSession {
 
   /// The same with those that are not sure.
   [[nodiscard]] const document::FeatureCurves& all_features() const { return live_->session().editor().all_features(); }
+  /// What each control does, in words, one a parameter. Valid until the next call.
+  [[nodiscard]] std::span<const document::ControlWords> words();
+  /// Those of the parameter of a name; the name where there is none.
+  [[nodiscard]] std::string words_of(const std::string& parameter);
 
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);
@@ -110,6 +115,7 @@ class EditingSession {
   bool joins_ = false;                                   ///< what is performed now belongs to what was before it
   std::shared_ptr<const rig::CharacterRig> paired_rig_;  ///< what pairs_ were found on
   std::vector<std::size_t> pairs_;
+  KnownWords words_;
   SessionInput input_{*this};
   StepHistory steps_{*this};
   ShownPose shown_{*this};

@@ -19,15 +19,17 @@ constexpr std::size_t k_named_readings = 2;
 /// Two sides are one where they go this near to each other, share of the range.
 constexpr double k_alike = 0.1;
 
+using Words = std::span<const document::ControlWords>;
+
 struct Change {
-  std::string name;
+  std::string name;     ///< in words
   double by = 0;        ///< from the pose before the line; 0: the reading takes it back
   double share = 0;     ///< of its range, by which the readings differ
   bool is_new = false;  ///< the reading taken does not move it
 };
 
 /// What one reading has that the one taken has not, the most first; both sides of a pair as one.
-std::vector<Change> changes_of(const document::Document& document, const rig::Pose& reading) {
+std::vector<Change> changes_of(const document::Document& document, Words words, const rig::Pose& reading) {
   const document::Moment& moment = *document.moment;
   const auto parameters = document.model->rig->parameters();
   const std::vector<std::size_t> pairs = side_pairs(parameters);
@@ -36,13 +38,13 @@ std::vector<Change> changes_of(const document::Document& document, const rig::Po
   const auto differs = [&](std::size_t i) { return std::abs(reading[i] - moment.posed[i]) > k_differs * range(i); };
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (!differs(i)) continue;
-    Change one{parameters[i].name, reading[i] - moment.base[i], std::abs(reading[i] - moment.posed[i]) / range(i),
+    Change one{words[i].text(), reading[i] - moment.base[i], std::abs(reading[i] - moment.posed[i]) / range(i),
                moment.posed[i] == moment.base[i]};
     const std::size_t other = pairs[i];
     if (other != k_no_pair && differs(other) &&
         std::abs(reading[other] - moment.base[other] - one.by) <= k_alike * range(i)) {
       if (other < i) continue;
-      one.name = common_name(one.name, parameters[other].name);
+      one.name = words_of_pair(words[i], words[other]);
     }
     out.push_back(std::move(one));
   }
@@ -50,8 +52,8 @@ std::vector<Change> changes_of(const document::Document& document, const rig::Po
   return out;
 }
 
-std::string words_of(const document::Document& document, const rig::Pose& reading) {
-  std::vector<Change> changes = changes_of(document, reading);
+std::string words_of(const document::Document& document, Words words, const rig::Pose& reading) {
+  std::vector<Change> changes = changes_of(document, words, reading);
   // What it moves says more than what it takes back, and both more than what goes a little further.
   const auto keep = [&](const auto& test) {
     if (std::any_of(changes.begin(), changes.end(), test))
@@ -62,7 +64,7 @@ std::string words_of(const document::Document& document, const rig::Pose& readin
   const bool any = changes.empty() || changes.front().by != 0.0;
   std::string text = any ? "" : "without ";
   for (std::size_t i = 0; i < std::min(k_named_readings, changes.size()); ++i) {
-    if (i > 0) text += ", ";
+    if (i > 0) text += "; ";
     text += changes[i].name;
     if (!any) continue;
     std::array<char, 32> number{};
@@ -75,12 +77,12 @@ std::string words_of(const document::Document& document, const rig::Pose& readin
 
 }  // namespace
 
-std::vector<std::string> words_of_readings(const document::Document& document) {
+std::vector<std::string> words_of_readings(const document::Document& document, Words words) {
   std::vector<std::string> out;
   const document::Moment* moment = document.moment.get();
   if (moment == nullptr || moment->lines.empty() || !document::is_last_line(document, moment->lines.back().curve))
     return out;
-  for (const document::Moment::Other& one : moment->others) out.push_back(words_of(document, one.pose));
+  for (const document::Moment::Other& one : moment->others) out.push_back(words_of(document, words, one.pose));
   return out;
 }
 
@@ -96,7 +98,7 @@ void ReadingOffer::follow(EditingSession& editing, bool quiet) {
   show(editing, std::nullopt);
   revision_ = editing.revision();
   const document::Document& document = editing.document();
-  words_ = words_of_readings(document);
+  words_ = words_of_readings(document, editing.words());
   percents_.clear();
   for (std::size_t i = 0; i < words_.size(); ++i)
     percents_.push_back(static_cast<int>(std::lround(100.0 * document.moment->others[i].probability)));

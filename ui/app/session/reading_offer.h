@@ -8,9 +8,11 @@
 
 namespace penpose::app {
 
-/// What the other readings of the last line move, in words, the best first: "mouthPucker +0.30", "without jawOpen".
-/// Names of both sides that go alike are one. Empty: the last line has no others, or something else came after it.
-[[nodiscard]] std::vector<std::string> words_of_readings(const document::Document& document);
+/// What the other readings of the last line move, in words, the best first: "lips pucker +0.30", "without jaw opens".
+/// Both sides that go alike are one. `words`: one a parameter. Empty: the last line has no others, or something else
+/// came after it.
+[[nodiscard]] std::vector<std::string> words_of_readings(const document::Document& document,
+                                                         std::span<const document::ControlWords> words);
 
 /// Other readings of the last line, "did you mean": one is shown on the face where the pen is over it, and becomes a
 /// step when it is taken. The reading that it took the place of is then among them. The next step ends the offer.

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t k_named = 3;
 
-std::string why_nothing_moved(const EditingSession& editing) {
+std::string why_nothing_moved(EditingSession& editing) {
   if (editing.last_stroke().within_hand(editing.document(), editing.editor().view().viewport))
     return "the curve already is where the line was drawn";
-  const std::vector<std::string> others = words_of_readings(editing.document());
+  const std::vector<std::string> others = words_of_readings(editing.document(), editing.words());
   if (!others.empty()) return "what would come nearest is " + others.front();
   return editing.document().locked.empty() ? "no control of this model brings the curve to the line"
                                            : "no control that is not locked brings the curve to the line";
@@ -27,23 +27,23 @@ std::string number(const char* format, double value) {
   return text.data();
 }
 
-/// "mouth_corner_L at its limit"; several: "jaw, mouth_L at their limits".
-std::string at_limits(const std::vector<Movement>& movements) {
+/// "smile, left at its limit"; several: "jaw opens; smile, left at their limits".
+std::string at_limits(EditingSession& editing, const std::vector<Movement>& movements) {
   std::string names;
   std::size_t count = 0;
   for (const Movement& one : movements) {
     if (!one.at_limit) continue;
-    if (++count <= k_named) names += (count > 1 ? ", " : "") + one.name;
+    if (++count <= k_named) names += (count > 1 ? "; " : "") + editing.words_of(one.name);
   }
   if (count == 0) return {};
   if (count > k_named) names += " and " + std::to_string(count - k_named) + " more";
   return names + (count > 1 ? " at their limits" : " at its limit");
 }
 
-std::string moved_text(const std::vector<Movement>& movements) {
+std::string moved_text(EditingSession& editing, const std::vector<Movement>& movements) {
   std::string text = "Moved ";
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
-    text += (i == 0 ? "" : ", ") + movements[i].name + " " + number("%+.2f", movements[i].by);
+    text += (i == 0 ? "" : "; ") + editing.words_of(movements[i].name) + " " + number("%+.2f", movements[i].by);
   }
   if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
   return text;
@@ -51,7 +51,7 @@ std::string moved_text(const std::vector<Movement>& movements) {
 
 }  // namespace
 
-std::string outcome_of(const EditingSession& editing) {
+std::string outcome_of(EditingSession& editing) {
   if (const std::string said = editing.last_stroke().text(); !said.empty()) return said;
   const auto& movements = editing.last_stroke().movements();
   const bool nothing_moved = movements.empty() && editing.last_stroke().is_newest();
@@ -65,8 +65,9 @@ std::string outcome_of(const EditingSession& editing) {
   // What is left comes first: it is what one acts on.
   std::string text;
   if (const double left = editing.last_stroke().left_px(); left >= 0) text = number("%.1f px left", left);
-  if (const std::string limits = at_limits(movements); !limits.empty()) text += (text.empty() ? "" : ", ") + limits;
-  return text + (text.empty() ? "" : "   |   ") + moved_text(movements);
+  if (const std::string limits = at_limits(editing, movements); !limits.empty())
+    text += (text.empty() ? "" : ", ") + limits;
+  return text + (text.empty() ? "" : "   |   ") + moved_text(editing, movements);
 }
 
 }  // namespace penpose::app

@@ -1,5 +1,7 @@
 #include "ui/app/view/shown_features.h"
 
+#include <algorithm>
+
 #include "core/curve/polyline.h"
 
 namespace penpose::app {

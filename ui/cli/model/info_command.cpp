@@ -9,7 +9,9 @@
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/document/features/feature_curves.h"
 #include "core/document/humanoid_rest.h"
+#include "core/document/words/control_words.h"
 #include "core/intent/model/doubles.h"
 #include "core/io/gltf/read/gltf_contents.h"
 #include "core/io/model/model_formats.h"
@@ -61,6 +63,20 @@ io::GltfContents contents_of(const std::string& path) {
 
 using Doubles = std::vector<intent::DoubleControl>;
 
+/// What is measured of a model.
+struct Measured {
+  Doubles doubles;
+  std::vector<document::ControlWords> words;  ///< one a parameter
+};
+
+Measured measure(const document::Model& model) {
+  const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
+  const auto features = document::feature_curves_of(model, whole, {});
+  std::vector<portrait::FeatureCurve> curves;
+  if (features) curves = features->curves;
+  return {intent::doubles_of(whole), document::control_words(model, whole, curves)};
+}
+
 /// Of a file that does not say itself which axis points up: the one that is taken to.
 std::string_view up_axis(const InfoArguments& arguments) {
   if (!io::has_open_orientation({}, arguments.model)) return {};
@@ -79,7 +95,7 @@ std::vector<std::pair<std::string, std::string>> bones_of(const document::Model&
   return bones;
 }
 
-Json to_json(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
+Json to_json(const document::Model& model, const Measured& measured, const io::GltfContents& contents,
              const std::string& state, const std::string& path) {
   Json parts = Json::array();
   for (const mesh::Part& part : model.mesh->parts()) {
@@ -91,8 +107,12 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
   Json parameters = Json::array();
   for (std::size_t i = 0; i < model.pose.size(); ++i) {
     const rig::Parameter& p = model.rig->parameters()[i];
-    parameters.push_back(
-        {{"name", p.name}, {"minimum", p.minimum}, {"maximum", p.maximum}, {"rest", p.rest}, {"value", model.pose[i]}});
+    parameters.push_back({{"name", p.name},
+                          {"minimum", p.minimum},
+                          {"maximum", p.maximum},
+                          {"rest", p.rest},
+                          {"value", model.pose[i]},
+                          {"words", measured.words[i].text()}});
   }
   const auto json_of = [](const std::vector<document::NamedCurve>& curves) {
     Json out = Json::array();
@@ -110,7 +130,7 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
     textures.push_back({{"name", texture.name}, {"type", texture.type}});
   }
   Json twice = Json::array();
-  for (const intent::DoubleControl& one : doubles) {
+  for (const intent::DoubleControl& one : measured.doubles) {
     Json of = Json::array();
     for (const std::size_t k : one.of) of.push_back(model.rig->parameters()[k].name);
     twice.push_back({{"name", model.rig->parameters()[one.parameter].name}, {"of", std::move(of)}});
@@ -154,7 +174,7 @@ constexpr std::size_t k_longest_path = 4096;
 std::string shown(double value) { return base::format_fixed(value, 4); }
 std::string name_or_none(const std::string& name) { return name.empty() ? "(without a name)" : base::shown_name(name); }
 
-void print_parameters(const document::Model& model) {
+void print_parameters(const document::Model& model, const Measured& measured) {
   const auto parameters = model.rig->parameters();
   std::cout << "parameters  " << parameters.size() << " (" << shape_count(model) << " blend shapes, "
             << joint_count(model) << " joints)\n";
@@ -165,7 +185,7 @@ void print_parameters(const document::Model& model) {
     std::cout << "  " << std::left << std::setw(static_cast<int>(widest)) << base::shown_name(p.name) << "  "
               << shown(p.minimum) << " .. " << shown(p.maximum);
     if (model.pose[i] != p.rest) std::cout << "  at " << shown(model.pose[i]);
-    std::cout << '\n';
+    std::cout << "  " << base::shown_name(measured.words[i].text()) << '\n';
   }
 }
 
@@ -228,7 +248,7 @@ void print_beside(const io::GltfContents& contents) {
   print_list("not understood  ", contents.not_understood);
 }
 
-void print(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
+void print(const document::Model& model, const Measured& measured, const io::GltfContents& contents,
            const InfoArguments& arguments) {
   const std::string& path = arguments.model;
   const geometry::Box box = document::rest_world_box(model);
@@ -249,8 +269,8 @@ void print(const document::Model& model, const Doubles& doubles, const io::GltfC
     std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
               << " faces\n";
   }
-  print_parameters(model);
-  print_doubles(model, doubles);
+  print_parameters(model, measured);
+  print_doubles(model, measured.doubles);
   print_humanoid(model);
   print_expressions(model);
   std::cout << "curves      " << model.curves.size() << '\n';
@@ -276,18 +296,18 @@ int run_info(const InfoArguments& arguments) {
   const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model model = document::model_of(*document);
-  const Doubles doubles = intent::doubles_of(intent::measure_whole_model(*model.rig));
+  const Measured measured = measure(model);
   const io::GltfContents contents = contents_of(arguments.model);
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    Json out = to_json(model, doubles, contents, state, arguments.model);
+    Json out = to_json(model, measured, contents, state, arguments.model);
     if (const std::string_view up = up_axis(arguments); !up.empty()) {
       out["up"] = Json(up);
       out["up_in_doubt"] = Json(arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model));
     }
     std::cout << out.dump_as_made() << '\n';
   } else {
-    print(model, doubles, contents, arguments);
+    print(model, measured, contents, arguments);
   }
   return k_success;
 }

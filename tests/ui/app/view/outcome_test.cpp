@@ -18,8 +18,8 @@ TEST(Outcome, WhatIsLeftIsSaidFirstAndThenWhatMoved) {
   char left[32];
   std::snprintf(left, sizeof left, "%.1f px left", desk.app->of<EditingSession>().last_stroke().left_px());
   EXPECT_TRUE(text.starts_with(left)) << text;
-  EXPECT_NE(text.find("Moved " + desk.app->of<EditingSession>().last_stroke().movements().front().name),
-            std::string::npos)
+  auto& editing = desk.app->of<EditingSession>();
+  EXPECT_NE(text.find("Moved " + editing.words_of(editing.last_stroke().movements().front().name)), std::string::npos)
       << text;
 }
 
@@ -33,7 +33,7 @@ TEST(Outcome, AControlThatCanGoNoFurtherIsNamed) {
   const auto at_limit = std::find_if(movements.begin(), movements.end(), [](const auto& one) { return one.at_limit; });
   ASSERT_NE(at_limit, movements.end()) << "no brow goes that far";
   const std::string text = outcome_of(desk.app->of<EditingSession>());
-  EXPECT_NE(text.find(at_limit->name), std::string::npos) << text;
+  EXPECT_NE(text.find(desk.app->of<EditingSession>().words_of(at_limit->name)), std::string::npos) << text;
   EXPECT_TRUE(text.find("at its limit") != std::string::npos || text.find("at their limits") != std::string::npos)
       << text;
 }

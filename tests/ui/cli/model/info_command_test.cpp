@@ -26,9 +26,12 @@ TEST_F(InfoCommand, JsonSaysWhatIsInTheModel) {
   EXPECT_EQ(info["blend_shapes"], 4);
   EXPECT_EQ(info["joints"], 4);
   EXPECT_EQ(info["parameters"].size(), 13U);
-  EXPECT_EQ(
-      info["parameters"][1],
-      nlohmann::json({{"name", "all over"}, {"minimum", -1.0}, {"maximum", 2.0}, {"rest", 0.25}, {"value", -0.75}}));
+  EXPECT_EQ(info["parameters"][1], nlohmann::json({{"name", "all over"},
+                                                   {"minimum", -1.0},
+                                                   {"maximum", 2.0},
+                                                   {"rest", 0.25},
+                                                   {"value", -0.75},
+                                                   {"words", "all over"}}));
   EXPECT_TRUE(info["doubles"].is_array());
   EXPECT_EQ(info["curves"][0], nlohmann::json({{"name", "brow"}, {"points", 2}}));
   EXPECT_EQ(info["animations"][0]["name"], "wave");
@@ -36,6 +39,18 @@ TEST_F(InfoCommand, JsonSaysWhatIsInTheModel) {
   EXPECT_EQ(info["bounding_box"]["minimum"].size(), 3U);
   EXPECT_EQ(info["state"].get<std::string>().size(), 32U);
   EXPECT_EQ(error_, "");
+}
+
+TEST_F(InfoCommand, SaysWhatControlsDo) {
+  save("avatar.vrm", tests::whole_avatar(1).glb());
+  ASSERT_EQ(run({"info", path("avatar.vrm")}), 0) << error_;
+  EXPECT_NE(out_.find("1.5708  head turns\n"), std::string::npos) << out_;
+  ASSERT_EQ(run({"info", "--json", path("avatar.vrm")}), 0) << error_;
+  const auto parameters = nlohmann::json::parse(out_)["parameters"];
+  const auto turns =
+      std::find_if(parameters.begin(), parameters.end(), [](const auto& one) { return one["words"] == "head turns"; });
+  ASSERT_NE(turns, parameters.end());
+  EXPECT_EQ((*turns)["name"], "bone 4.ry");
 }
 
 TEST_F(InfoCommand, ListsTheExpressionsOfAnAvatar) {

@@ -18,9 +18,7 @@ constexpr double k_finest_frames = 0.1;
 struct OverlapPanelOwners {
   EditingSession& editing;
   OverlapOffer& offer;
-  [[nodiscard]] std::string name(std::size_t control) const {
-    return editing.document().model->rig->parameters()[control].name;
-  }
+  [[nodiscard]] std::string name(std::size_t control) const { return editing.words()[control].text(); }
 };
 
 std::string title_of(const OverlapPanelOwners& with) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -69,7 +70,7 @@ const std::vector<SheetRow>& rows_of(const TimelineOwners& with) {
   if (known.timeline != document.timeline || known.rig != document.model->rig || known.folded != shown.folded ||
       known.all != shown.all_rows) {
     known = {document.timeline, document.model->rig, shown.folded, shown.all_rows, {}};
-    known.rows = sheet_rows(document, parts, shown.folded, shown.all_rows);
+    known.rows = sheet_rows(document, parts, with.editing.words(), shown.folded, shown.all_rows);
   }
   return known.rows;
 }
@@ -97,6 +98,7 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
   shown.scrolled = std::clamp(shown.scrolled, 0.0F, most);
   const bool touched = ImGui::IsItemDeactivated() && !shown.drag.pulled;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::optional<std::size_t> pointed;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const SheetRow& row = rows[i];
     const float top = from.y - shown.scrolled + static_cast<float>(i) * row_height;
@@ -105,6 +107,7 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
                     static_cast<double>(from.x + width),
                     static_cast<double>(std::min(from.y + height, top + row_height))};
     context.targets[(row.group ? "group " : "row ") + row.name] = area;
+    if (!row.group && at.y >= top && at.y < top + row_height) pointed = row.controls.front();
     if (touched && at.y >= top && at.y < top + row_height) touch_row(with, row);
     const float y = top + 0.5F * (row_height - ImGui::GetFontSize());
     float x = from.x + (row.group ? 0 : 0.5F * context.unit);
@@ -126,7 +129,13 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
       list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(row.controls.front()), 2);
       x += side + context.gap;
     }
-    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_text(row.name, from.x + width - x).c_str());
+    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_text(row.shown, from.x + width - x).c_str());
+  }
+  if (pointed) {
+    const auto parameters = with.editing.document().model->rig->parameters();
+    const document::ControlWords& words = with.editing.words()[*pointed];
+    // The names have little room.
+    tooltip(context, (words.text() + "\n" + tip_of_control(words, parameters[*pointed].name)).c_str());
   }
   ImGui::EndChild();
 }

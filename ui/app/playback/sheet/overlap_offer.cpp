@@ -175,7 +175,7 @@ void OverlapOffer::look_at(const rig::Pose& drawn) {
   const document::Spring now{time_of_frame(values_.period_frames, rate), values_.swing};
   const auto found = document::spring_through(*moved->way, now, posed_s_, wanted, rate);
   values_.period_frames = std::min(frame_of(found.spring.period_s, rate), k_most_period_frames);
-  const std::string& name = parameters[moved->overlap.control].name;
+  const std::string name = editing_.words()[moved->overlap.control].text();
   const std::string at = "frame " + frame_text(posed_s_, rate);
   reckon();
   char gap[32];

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "core/document/words/readable_name.h"
+
 namespace penpose::app {
 namespace {
 
@@ -31,7 +33,8 @@ std::vector<std::size_t> runs_of(const rig::Skeleton& skeleton) {
 }  // namespace
 
 std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<const FacePart> parts,
-                                 const std::set<std::string>& folded, bool all) {
+                                 std::span<const document::ControlWords> words, const std::set<std::string>& folded,
+                                 bool all) {
   const auto parameters = document.model->rig->parameters();
   const auto& keys = document.timeline->keys;
   const auto listed = [&](std::size_t control) {
@@ -42,7 +45,7 @@ std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<c
   constexpr std::array<std::pair<FacePart, const char*>, 4> k_groups{
       {{FacePart::brows, "Brows"}, {FacePart::eyes, "Eyes"}, {FacePart::mouth, "Mouth"}, {FacePart::all, "Others"}}};
   std::vector<SheetRow> groups;
-  for (const auto& [part, name] : k_groups) groups.push_back({name, true, false, {}});
+  for (const auto& [part, name] : k_groups) groups.push_back({name, name, true, false, {}});
   std::vector<std::size_t> joint_groups;  // by the first joint of a run; 0: none yet
   std::vector<std::size_t> runs;
   const auto& skeleton = document.model->skeleton;
@@ -59,7 +62,8 @@ std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<c
       const std::size_t first = runs[skeleton->joint_of(i - turns)];
       if (joint_groups[first] == 0) {
         joint_groups[first] = groups.size();
-        groups.push_back({skeleton->joints()[first].name, true, false, {}});
+        const std::string& name = skeleton->joints()[first].name;
+        groups.push_back({name, document::readable_name(name).text(), true, false, {}});
       }
       group = joint_groups[first];
     }
@@ -72,7 +76,7 @@ std::vector<SheetRow> sheet_rows(const document::Document& document, std::span<c
     rows.push_back(group);
     if (group.folded) continue;
     for (const std::size_t control : group.controls)
-      rows.push_back({parameters[control].name, false, false, {control}});
+      rows.push_back({parameters[control].name, words[control].text(), false, false, {control}});
   }
   return rows;
 }

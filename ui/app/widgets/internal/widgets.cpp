@@ -30,6 +30,7 @@ void tooltip(PanelContext& context, const char* text) {
   if (text == nullptr || *text == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   context.tip_waits = true;
   if (!context.tip_due) return;
+  context.tip = text;
   // Over the canvas beside the panel that the item is on, else below it.
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
