@@ -177,6 +177,7 @@ void find_mouth(FaceLayout& layout) {
   double least = k_unknown_cost;
   for (FaceMark& mark : layout.marks) {
     if (mark.part == FacePart::mouth) return;
+    if (mark.part == FacePart::around) continue;
     for (const PartHabit& habit : part_habits()) {
       if (habit.part != FacePart::mouth || cost_of(mark, habit, layout.scale) >= least) continue;
       least = cost_of(mark, habit, layout.scale);
@@ -336,6 +337,18 @@ bool may_be_eyes(const FaceMark& a, const FaceMark& b) {
          (dots || std::min(one, other) > k_least_alike * large);
 }
 
+/// Returns whether a face without brows has neither clear eyes nor a clear mouth, as many things look.
+bool is_doubtful(const FaceLayout& layout) {
+  std::array<double, 2> eyes{k_unknown_cost, k_unknown_cost};
+  double mouth = k_unknown_cost;
+  for (const FaceMark& mark : layout.marks) {
+    if (mark.part == FacePart::brow) return false;
+    double& least = mark.part == FacePart::mouth ? mouth : eyes[mark.right ? 1 : 0];
+    if (mark.part == FacePart::mouth || is_of_eye(mark)) least = std::min(least, mark.cost);
+  }
+  return 0.5 * (eyes[0] + eyes[1]) + mouth > k_most_doubtful;
+}
+
 /// Fits the frame to all lines of the eyes that have a counterpart in the other eye.
 FaceLayout refined(const std::vector<FaceMark>& marks, const FaceLayout& found) {
   PxPoint left{0, 0}, right{0, 0};
@@ -413,6 +426,7 @@ std::optional<FaceLayout> find_face(std::span<const std::vector<PxPoint>> lines,
   }
   if (!best) return best;
   if (!eyes_cost) best = refined(marks, *best);
+  if (is_doubtful(*best)) return std::nullopt;
   const bool has_mouth = std::any_of(best->marks.begin(), best->marks.end(), [](const FaceMark& mark) {
     return mark.part == FacePart::mouth && mark.cost < k_most_mouth_cost;
   });

@@ -30,6 +30,10 @@ inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
 inline constexpr double k_nostril_cost = 0.8;
+/// Without brows, eyes and mouth together cost no more than this.
+inline constexpr double k_most_doubtful = 3.4;
+/// A straight line for an eye that tilts at least so much is drawn for its brow.
+inline constexpr double k_slanted = 0.25, k_straight_slant = 0.95;
 /// What lies outside of the head.
 inline constexpr double k_outside_cost = 1.0;
 /// Lines this far apart touch; the cost of a pupil that touches no border of its eye.

@@ -242,6 +242,19 @@ bool is_queasy(const Marks& marks, const Extent& extent) {
   });
 }
 
+/// Returns the slanted line that is drawn for an angry or a sad eye, over a dot or alone, as a brow.
+std::optional<BrowMeasure> brow_of_slanted_eye(const Marks& borders, const EyeMeasure& eye, bool right) {
+  for (const FaceMark* mark : borders) {
+    const double reach = geometry::distance(mark->points.front(), mark->points.back());
+    if (reach < k_straight_slant * mark->length) return {};
+  }
+  if (borders.empty()) return {};
+  BrowMeasure brow = measure_brow(borders, right);
+  if (std::abs(brow.tilt) < k_slanted) return {};
+  brow.height = eye.top + k_brow_gap.mean;
+  return brow;
+}
+
 MouthMeasure measure_mouth(const Marks& marks, double scale) {
   MouthMeasure mouth;
   double widest = 0;
@@ -340,7 +353,11 @@ FaceMeasures measure(const FaceLayout& layout) {
     if (!brows.empty()) out.brows[side] = measure_brow(brows, side == 1);
     const Marks borders = marks_of(layout, FacePart::eye, side);
     const Marks pupils = marks_of(layout, FacePart::pupil, side);
-    if (!borders.empty() || !pupils.empty()) out.eyes[side] = measure_eye(borders, pupils);
+    if (borders.empty() && pupils.empty()) continue;
+    out.eyes[side] = measure_eye(borders, pupils);
+    if (out.brows[side]) continue;
+    out.brows[side] = brow_of_slanted_eye(borders, *out.eyes[side], side == 1);
+    if (out.brows[side]) out.eyes[side] = measure_eye({}, pupils.empty() ? borders : pupils);
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const auto wrinkles = [&](FacePart part) {
