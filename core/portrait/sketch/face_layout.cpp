@@ -14,8 +14,6 @@ namespace penpose::portrait {
 namespace {
 
 constexpr std::size_t k_mark_points = 33;
-/// The ends of a line meet if they are nearer to each other than this share of its length.
-constexpr double k_ends_meet = 0.12;
 
 struct Box {
   PxPoint low{1e300, 1e300}, high{-1e300, -1e300};

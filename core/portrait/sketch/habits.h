@@ -30,6 +30,10 @@ inline constexpr double k_around_cost = 3.5;
 inline constexpr double k_face_half_width = 1.1, k_face_above = 0.9, k_face_below = 1.9;
 inline constexpr double k_mouth_reach = 0.15;
 inline constexpr double k_nostril_cost = 0.8;
+/// The ends of a line meet if they are nearer to each other than this share of its length.
+inline constexpr double k_ends_meet = 0.12;
+/// The outline of a pen stroke is so many times as long as thick.
+inline constexpr double k_thin_stroke = 9;
 /// Without brows, eyes and mouth together cost no more than this.
 inline constexpr double k_most_doubtful = 3.4;
 /// A straight line for an eye that tilts at least so much is drawn for its brow.

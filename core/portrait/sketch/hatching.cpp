@@ -6,6 +6,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/portrait/sketch/habits.h"
+#include "core/portrait/sketch/pen_strokes.h"
 
 namespace penpose::portrait {
 namespace {
@@ -94,7 +95,9 @@ std::vector<PxPoint> row_of(std::vector<Hatch> hatches) {
 
 }  // namespace
 
-JoinedLines join_hatching(std::span<const std::vector<PxPoint>> lines) {
+JoinedLines join_hatching(std::span<const std::vector<PxPoint>> drawn) {
+  std::vector<std::vector<PxPoint>> lines;
+  for (const auto& line : drawn) lines.push_back(middle_of_stroke(line));
   const std::vector<Hatch> hatches = hatches_of(lines);
   const std::vector<std::size_t> group = groups_of(hatches);
   constexpr std::size_t k_alone = static_cast<std::size_t>(-1);

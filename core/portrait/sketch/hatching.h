@@ -15,7 +15,8 @@ struct JoinedLines {
 };
 
 /// Joins short strokes beside each other, such as the hairs of a brow or the lashes of a lid, to one line through their
-/// middles. All other lines stay as they are. Precondition: no line is empty.
-[[nodiscard]] JoinedLines join_hatching(std::span<const std::vector<geometry::PxPoint>> lines);
+/// middles, and takes outlines of pen strokes as their middle lines. All other lines stay as they are. Precondition: no
+/// line is empty.
+[[nodiscard]] JoinedLines join_hatching(std::span<const std::vector<geometry::PxPoint>> drawn);
 
 }  // namespace penpose::portrait
