@@ -102,7 +102,7 @@ std::vector<std::uint32_t> classes_of(const FrontView& view, const SurfacePaint&
       std::vector<double> values;
       const std::size_t step = px.size() / k_paint_samples + 1;
       for (std::size_t i = 0; i < px.size(); i += step) values.push_back(color_at(px[i])[c]);
-      std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+      std::stable_sort(values.begin(), values.end());
       usual[c] = values[values.size() / 2];
     }
     for (const std::size_t i : px) {

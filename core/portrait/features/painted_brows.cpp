@@ -15,10 +15,10 @@ constexpr double k_beyond_window = 0.25;
 /// Thicknesses that are tried, shares of the distance of the eyes.
 constexpr std::array<double, 3> k_thicknesses{0.045, 0.08, 0.13};
 /// Rows that the middle of a brow may rise from column to column, as a share of the distance of the eyes.
-constexpr double k_steepest = 0.03;
-constexpr double k_rough_strip = 4e-4;
+constexpr double k_steepest = 0.08;
+constexpr double k_rough_strip = 1e-4;
 /// Contrast of a strip that is surely a brow (display values), and the share of it at which a brow ends.
-constexpr double k_clear_strip = 0.07, k_end_of_strip = 0.4;
+constexpr double k_clear_strip = 0.07, k_end_of_strip = 0.5;
 constexpr double k_of_paint = 0.92;
 /// A brow is no shorter, shares of the distance of the eyes.
 constexpr double k_shortest_strip = 0.3;
@@ -35,9 +35,8 @@ struct PaintedWindow {
 };
 
 double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::stable_sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 PaintedWindow look_through(const FaceSurface& surface, const SurfacePaint& paint, const BrowWindow& window) {
@@ -111,7 +110,7 @@ FoundLine strip_in(const FaceSurface& surface, const SurfacePaint& paint, const 
   std::vector<double> along;
   for (std::size_t i = 0; i < path.size(); ++i) along.push_back(scores[i][path[i]]);
   std::vector<double> sorted = along;
-  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  std::stable_sort(sorted.begin(), sorted.end(), std::greater<>());
   const double clear = sorted[sorted.size() / 4];
   // The longest run of columns that show the strip.
   std::size_t best_from = 0, best_to = 0;

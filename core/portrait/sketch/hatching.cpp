@@ -82,7 +82,7 @@ std::vector<PxPoint> row_of(std::vector<Hatch> hatches) {
   }
   std::vector<double> lengths;
   for (const Hatch& one : hatches) lengths.push_back(one.length);
-  std::sort(lengths.begin(), lengths.end());
+  std::stable_sort(lengths.begin(), lengths.end());
   if (first == nullptr || farthest < k_row_of_hatches * lengths[lengths.size() / 2]) return {};
   const PxPoint from = first->middle, along = last->middle - first->middle;
   std::stable_sort(hatches.begin(), hatches.end(), [&](const Hatch& a, const Hatch& b) {

@@ -48,7 +48,7 @@ double largest_of_face(const intent::WholeModel& whole) {
     if (is_shape(whole, k) && !whole.fields->field(k).samples.empty()) extents.push_back(extent_of(whole, k));
   }
   if (extents.empty()) return 0.0;
-  std::sort(extents.begin(), extents.end());
+  std::stable_sort(extents.begin(), extents.end());
   return k_larger_than_usual * extents[(extents.size() - 1) / 2];
 }
 
