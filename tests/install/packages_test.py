@@ -86,7 +86,7 @@ class Packages(unittest.TestCase):
                 found += [link for link in links.split(';') if '::' not in link]
         packages = {'glm': 'libglm-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev',
                     'meshoptimizer': 'libmeshoptimizer-dev', 'draco': 'libdraco-dev', 'pugixml': 'libpugixml-dev',
-                    'z': 'zlib1g-dev'}
+                    'z': 'zlib1g-dev', 'png': 'libpng-dev', 'jpeg': 'libjpeg-dev', 'webp': 'libwebp-dev'}
         wanted = {packages.get(name.removesuffix('Core').removesuffix('Tools'), name) for name in found if name != 'Threads'}
         self.assertIn('libglm-dev', wanted)
         self.assertEqual(names_in(field(PACKAGES['libpenpose-dev'], 'Depends')), wanted | {'libpenpose0'})

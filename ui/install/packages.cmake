@@ -64,8 +64,9 @@ function(penpose_package component section summary text)
 endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
-set(solver "libmeshoptimizer2d (>= 0.18+dfsg)" "libdraco7 (>= 1.5.5+dfsg)")  # tinygltf is compiled in
-set(headers libglm-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev)  # what find_package(penpose) and the C++ headers want
+set(solver "libmeshoptimizer2d (>= 0.18+dfsg)" "libdraco7 (>= 1.5.5+dfsg)"  # tinygltf is compiled in
+  "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)")
+set(headers libglm-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev libpng-dev libjpeg-dev libwebp-dev)  # what find_package(penpose) and the C++ headers want
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
 list(APPEND solver "zlib1g (>= 1:1.1.4)")
 list(APPEND headers zlib1g-dev)
@@ -95,7 +96,7 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)" ${sounds} ${desktop}
+With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpugixml1v5 (>= 1.13)" ${sounds} ${desktop}
   "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter ffmpeg ${english} CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
@@ -104,8 +105,8 @@ works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
 The commands alone, for boards and farms: without the window, and so without
-SDL and OpenGL. The processor draws the pictures." DEPENDS ${c_library} ${solver} ${tablets} "libpugixml1v5 (>= 1.13)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)"
-  "libwebp7 (>= 1.2.4)" ${sounds} RECOMMENDS ${english} CONFLICTS penpose)
+SDL and OpenGL. The processor draws the pictures." DEPENDS ${c_library} ${solver} ${tablets} "libpugixml1v5 (>= 1.13)"
+  ${sounds} RECOMMENDS ${english} CONFLICTS penpose)
 penpose_package(libpenpose0 libs "pose and rig 3D characters by drawing, the library"
 "The solver of penpose for other programs, in C: rigs, curves, targets,
 sketched deformers, recorded sessions, and pen tablets from their raw reports."

@@ -11,13 +11,13 @@
 
 namespace penpose::document {
 
-/// The feature curves of a face, and those that were looked for and are not sure enough to be used. Eyes, brows and lips
-/// are used even if they are unsure.
+/// The feature curves of a face, and those that were looked for and are not sure enough to be used. Eyes, brows and
+/// lips are used even if they are unsure.
 struct FeatureCurves {
   std::vector<portrait::FeatureCurve> curves;
   std::vector<portrait::FeatureCurve> unsure;
   std::vector<std::string> doubtful;  ///< names of curves that are used and unsure
-  bool found = false;  ///< some by the shape of the face, by no name
+  bool found = false;                 ///< some by the shape of the face, by no name
 };
 
 /// How a feature was corrected (Model::features); null: it was not.

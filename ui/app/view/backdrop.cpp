@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/geometry/camera.h"
+#include "core/picture/jpeg.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
-#include "core/picture/jpeg.h"
 
 namespace penpose::app {
 namespace {
