@@ -23,12 +23,34 @@ rig::Pose pose_of(const rig::Rig& rig, const FaceView& face, const rig::Pose& st
 
 namespace {
 
+/// Returns whether two curves are of the same feature and side: an eye, a brow, the lips.
+bool of_one_feature(const FeatureCurve& a, const FeatureCurve& b) {
+  constexpr std::size_t k_telling = 4;  // letters: brow, eyel, lip_, nose
+  const bool lips = a.name.starts_with("lip_");
+  return a.name.substr(0, k_telling) == b.name.substr(0, k_telling) && (lips || a.name.back() == b.name.back());
+}
+
+/// Returns whether most lines that a reading knows are the same feature in a sketch.
+bool agree(std::span<const FeatureCurve> curves, const std::vector<LineRead>& read,
+           const std::vector<LineRead>& sketched) {
+  constexpr double k_most = 0.75;
+  double known = 0, same = 0;
+  for (std::size_t i = 0; i < read.size() && i < sketched.size(); ++i) {
+    if (!read[i].curve) continue;
+    known += 1;
+    if (sketched[i].curve && of_one_feature(curves[*read[i].curve], curves[*sketched[i].curve])) same += 1;
+  }
+  return same >= k_most * known;
+}
+
 /// Returns whether a pose shows something else than what a person sees in the drawing.
 bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const SketchedPose& sketched,
                 const rig::Pose& pose, const rig::Pose& start, const geometry::Camera& camera) {
   const auto rest = ModelFace::see(rig, curves, start, camera);
   const auto posed = ModelFace::see(rig, curves, pose, camera);
   if (!rest || !posed) return false;
+  // A face of this model's own proportions needs no other size.
+  if (sketched.layout.scale != 1.0) return false;
   const FaceMeasures drawn = measure(sketched.layout);
   return contradicts(drawn, posed->measures(), rest->measures());
 }
@@ -83,7 +105,9 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
     out.read.proportions.assign(face->proportion_count(), 0.0);
   }
   const bool of_model = few && out.read.of_this_face;
-  if (!*sketched || (of_model && !shows_else(rig, curves, **sketched, out.pose, start, camera))) return out;
+  if (!*sketched) return out;
+  const bool clear = agree(curves, out.read.lines, (*sketched)->lines);
+  if (of_model && !(clear && shows_else(rig, curves, **sketched, out.pose, start, camera))) return out;
   out.pose = std::move((*sketched)->pose);
   out.read.lines = std::move((*sketched)->lines);
   out.sheet = (*sketched)->sheet;

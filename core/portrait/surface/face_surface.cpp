@@ -11,6 +11,8 @@ namespace {
 
 /// Rows of the picture.
 constexpr double k_rows = 700;
+/// Triangles cover a face no more often than this.
+constexpr double k_most_layers = 300;
 /// Of the one in which the skin is looked for.
 constexpr double k_coarse_rows = 160;
 /// How far the picture may go beyond what shapes move, as a share of its height: as far as the skin goes there.
@@ -23,6 +25,20 @@ double height_of(const geometry::Box& box) {
 
 double turn(const ModelPoint& a, const ModelPoint& b, const ModelPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// How often triangles cover the box of all places, seen along z; half of a triangle's own box counts.
+double layers_of(std::span<const ModelPoint> places, std::span<const mesh::Triangle> triangles) {
+  geometry::Box box;
+  for (const ModelPoint& p : places) box.add(p);
+  double covered = 0;
+  for (const mesh::Triangle& t : triangles) {
+    geometry::Box own;
+    for (const std::uint32_t v : t) own.add(places[v]);
+    covered += 0.5 * (own.maximum.x - own.minimum.x) * (own.maximum.y - own.minimum.y);
+  }
+  const double all = box.empty() ? 0.0 : (box.maximum.x - box.minimum.x) * (box.maximum.y - box.minimum.y);
+  return all > 0.0 ? covered / all : 0.0;
 }
 
 }  // namespace
@@ -94,6 +110,8 @@ geometry::Box FaceSurface::shown() const {
 
 std::optional<FaceSurface> FaceSurface::look_at(const mesh::TriangleMesh& mesh, const intent::WholeModel& whole,
                                                 double front_yaw_degrees) {
+  // No model has so many layers; to look at them would take minutes.
+  if (layers_of(*whole.rest, mesh.triangles()) > k_most_layers) return std::nullopt;
   const auto place = place_face(mesh, whole, front_yaw_degrees);
   if (!place || !(height_of(place->box) > 0.0)) return std::nullopt;
   FaceSurface surface;

@@ -70,6 +70,7 @@ struct Measured {
 };
 
 Measured measure(const document::Model& model) {
+  if (model.rig->parameters().empty()) return {};
   const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
   const auto features = document::feature_curves_of(model, whole, {});
   std::vector<portrait::FeatureCurve> curves;

@@ -34,7 +34,9 @@ std::vector<std::uint8_t> of_edition(std::vector<std::uint8_t> bytes, char digit
   const std::string text(bytes.begin(), bytes.end());
   const std::size_t key = text.find("\"edition\":");
   EXPECT_NE(key, std::string::npos);
-  bytes[key + 10] = static_cast<std::uint8_t>(digit);
+  // In as many letters as this edition's number has.
+  bytes[key + 10] = ' ';
+  bytes[key + 11] = static_cast<std::uint8_t>(digit);
   return bytes;
 }
 
@@ -90,7 +92,7 @@ bool has_note(const document::Document& document, std::string_view text) {
 }
 
 TEST(ProjectEditions, OneOfAnOlderEditionIsDrawnOn) {
-  for (const char edition : {'1', '2', '3', '4', '5', '6', '7', '8'}) {
+  for (const char edition : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) {
     const auto document = read_document(of_edition(drawn_project(), edition), "project.glb");
     ASSERT_TRUE(document) << document.error().line();
     ASSERT_NE(document->model->deformers, nullptr) << edition;

@@ -114,7 +114,9 @@ TEST(Saving, AProjectIsToldFromAModelAndFromAnotherEditionsProject) {
   std::ofstream(project, std::ios::binary) << newer;
   EXPECT_FALSE(files::is_project(project)) << "it opens as a model: its controls are baked";
   EXPECT_FALSE(files::is_older_project(project));
-  bytes[edition + 10] = '1';
+  // Edition 1, in as many letters.
+  bytes[edition + 10] = ' ';
+  bytes[edition + 11] = '1';
   std::ofstream(project, std::ios::binary) << bytes;
   EXPECT_TRUE(files::is_older_project(project));
   EXPECT_FALSE(files::is_project(project));
