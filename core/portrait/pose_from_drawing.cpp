@@ -52,6 +52,9 @@ bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const
   // A face of this model's own proportions needs no other size.
   if (sketched.layout.scale != 1.0) return false;
   const FaceMeasures drawn = measure(sketched.layout);
+  // A drawing of another face at rest is no expression of this one.
+  const bool moved = !expression_of(posed->measures(), RestingFace{rest->measures(), 1.0}).rests();
+  if (moved && expression_of(drawn, {}).rests()) return true;
   return contradicts(drawn, posed->measures(), rest->measures());
 }
 
