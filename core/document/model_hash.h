@@ -11,7 +11,7 @@ namespace penpose::document {
 
 /// The hash of mesh, blend shapes and skeleton.
 [[nodiscard]] base::Hash128 hash_surface(const Model& model);
-/// Of the number of vertices and the triangles alone: the same for all forms of one mesh.
+/// Returns a hash of the number of vertices and the triangles alone. It is the same for all forms of one mesh.
 [[nodiscard]] base::Hash128 hash_topology(const mesh::TriangleMesh& mesh);
 void add_parameters(base::StateHash& hash, const rig::Rig& rig);
 void add_mesh_points(base::StateHash& hash, std::span<const mesh::MeshPoint> points);

@@ -81,7 +81,8 @@ using Parts = ApplyParts;
 [[nodiscard]] Changed with_deformers(const Document& document,
                                      std::shared_ptr<const articulation::SketchedDeformers> deformers);
 
-/// A line on the surface as the document is posed. Errors (place: the member): a view that cannot be; a line beside it.
+/// Projects a line onto the surface as the document is posed. Errors (place: the member): the view is not valid; the
+/// line does not lie on the surface.
 [[nodiscard]] base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
                                                                     const std::vector<PxPoint>& line, Parts& work);
 /// The error that there is no curve of that number.

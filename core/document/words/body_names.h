@@ -18,9 +18,9 @@ struct NamedJoint : ReadableName {
   JointKind kind = JointKind::other;
 };
 
-/// What the joints of a figure are by its shape alone, one a joint: legs go to what lies lowest on each side, arms to
-/// what lies farthest out, the head is what is highest; nothing for joints of none of them, and where there is no such
-/// figure. `front` has the directions of the figure.
+/// Names the joints of a figure by its shape alone, one a joint: legs go to what lies lowest on each side, arms to what
+/// lies farthest out, and the head is what is highest. Joints of none of them have no name, and no joint has one if the
+/// model is no such figure. `front` has the directions of the figure.
 [[nodiscard]] std::vector<std::optional<NamedJoint>> names_by_shape(const intent::WholeModel& whole,
                                                                     const portrait::FaceFrame& front);
 

@@ -16,9 +16,9 @@ namespace {
 
 /// An effect of less, of the distance between the eyes, is none.
 constexpr double k_least_effect = 0.006;
-/// What a name adds to the likeness of the deed that it says, where the face does at least that much like it.
+/// A name adds the first number to the likeness of the deed that it says, if the face does at least the second like it.
 constexpr double k_by_name = 0.35, k_least_named = 0.15;
-/// What is less like any deed has other words.
+/// A control that is less like any deed than this has other words.
 constexpr double k_alike = 0.55;
 /// How much less like it the deed may be that a control is called by where a likelier control has its own.
 constexpr double k_gives_way = 0.12;
@@ -28,7 +28,7 @@ constexpr double k_second = 0.6, k_second_alike = 0.7;
 constexpr double k_closes = 0.55;
 /// A half of the lids that goes this many times as far as the other is meant.
 constexpr double k_half = 1.7;
-/// What the largest effect counts for beside how like a deed one is, where several would be called the same.
+/// If several controls would be called the same, the size of their effect counts this much beside their likeness.
 constexpr double k_by_amount = 0.2;
 /// What does less than this share of what another one of the same words does, does it a little.
 constexpr double k_little = 0.6;

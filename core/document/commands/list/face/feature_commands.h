@@ -27,8 +27,8 @@ struct DrawFeature {
 Changed run(const Document&, const DrawFeature&, ApplyParts&);
 
 /// Says that a line that was drawn runs along a feature: a reference, a constraint, or a line of the face as it should
-/// be, which lay over the face as it was before that was drawn. The line goes. Errors: no such line, no name, a line
-/// beside the surface.
+/// be, which lay over the face as it was before that was drawn. The line goes. Errors: no such line; no name; the line
+/// does not lie on the surface.
 struct LineIsFeature {
   static constexpr Called k_called{"line_is_feature", "This is a feature"};
   CurveId curve;
@@ -37,8 +37,8 @@ struct LineIsFeature {
 };
 Changed run(const Document&, const LineIsFeature&, ApplyParts&);
 
-/// A feature runs through points of the surface; without any the face has no such feature. Errors: no name, a single
-/// point, points beside the mesh, too many corrected features.
+/// A feature runs through points of the surface; without any the face has no such feature. Errors: no name; a
+/// single point; a point does not lie on the mesh; too many features are corrected.
 struct PlaceFeature {
   static constexpr Called k_called{"place_feature", "Correct a feature"};
   std::string feature;
