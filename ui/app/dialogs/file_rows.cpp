@@ -104,7 +104,7 @@ std::optional<FileEntry> show_file_rows(PanelContext& context, const FileBrowser
   const float step = k_high * context.unit + ImGui::GetStyle().ItemSpacing.y;
   if (follows && browser.chosen) {
     const float at = static_cast<float>(*browser.chosen) * step;
-    const float seen = ImGui::GetWindowHeight() - 2 * step;
+    const float seen = std::max(0.0F, ImGui::GetWindowHeight() - 2 * step);
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), at - seen, at));
   }
   if (browser.entries.empty() && browser.error.empty()) ImGui::TextDisabled("Nothing of that kind is here.");

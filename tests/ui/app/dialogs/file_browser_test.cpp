@@ -182,5 +182,20 @@ TEST(FileBrowser, ItFitsSmallScreensWithTargetsForAPen) {
   }
 }
 
+TEST(FileBrowser, ArrowsWorkInAWindowThatIsTooSmallForTheList) {
+  Desk desk("browse-tiny");
+  put_model(desk, "a.glb");
+  put_model(desk, "b.glb");
+  desk.begin();
+  desk.app->of<PanelState>().has_keyboard = true;
+  desk.app->of<Pointer>().resized({320, 120}, 200);
+  desk.app->of<Dialogs>().show(Dialog::open);
+  desk.frames();
+  ASSERT_FALSE(browser(desk).entries.empty());
+  desk.hit(k_down, k_key_down);
+  desk.frames();
+  EXPECT_EQ(browser(desk).chosen, std::optional<std::size_t>(0));
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -62,8 +62,9 @@ std::vector<Handle> handles_of(const TimelineOwners& with, const Graph& graph) {
       // A third of the way, where a Bezier curve has its control point.
       const double at_s = key.first + (other_s - key.first) / 3;
       // One that goes beyond the graph can still be taken at its border.
-      const float y = std::clamp(graph.y_of(control, value + slope * (at_s - key.first)),
-                                 graph.strip.from.y + k_handle_inset_px, graph.strip.to().y - k_handle_inset_px);
+      const float top = graph.strip.from.y + k_handle_inset_px;
+      const float y = std::clamp(graph.y_of(control, value + slope * (at_s - key.first)), top,
+                                 std::max(top, graph.strip.to().y - k_handle_inset_px));
       handles.push_back({key, incoming, {graph.strip.x_of(at_s), y}});
     };
     if (before) {
