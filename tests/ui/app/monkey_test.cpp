@@ -158,7 +158,7 @@ TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   desk.app->of<CanvasLook>().backdrop.reset();
   desk.app->of<Pointer>().resized({1280, 800}, 96);
   desk.frames(6);
-  while (desk.app->of<EditingSession>().editor().history().undo_count() > 0) desk.app->of<Actions>().run(Action::undo);
+  while (desk.app->of<EditingSession>().steps().can_undo() > 0) desk.app->of<Actions>().run(Action::undo);
   desk.app->of<Actions>().run(Action::tool_pose);
   desk.app->of<Actions>().run(Action::view_front);
   desk.app->of<Actions>().run(Action::frame_all);
