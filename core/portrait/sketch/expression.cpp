@@ -19,9 +19,10 @@ double beyond(double difference, const Usual& usual, double doubt) {
   return (difference > 0 ? 1.0 : -1.0) * high * (size - low) / (high - low);
 }
 
-/// Returns the gap between a brow and the eye below it.
-double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& eye) {
-  return brow.height - (eye ? eye->top : 0.0);
+/// Returns the gap between a brow and the eye below it, as it is where the eye is open. `closed` is the share by which
+/// its lid has come down, `opening` that of its width by which lids are apart at rest.
+double gap_over_eye(const BrowMeasure& brow, const std::optional<EyeMeasure>& eye, double closed, double opening) {
+  return brow.height - (eye ? eye->top + std::clamp(closed, 0.0, 1.0) * opening * eye->width : 0.0);
 }
 
 bool is_line(const std::optional<EyeMeasure>& eye) { return eye && eye->kind == EyeKind::line; }
@@ -42,6 +43,13 @@ double closed_alone(const EyeMeasure& eye, const std::optional<EyeMeasure>& rest
   return closed;
 }
 
+/// Returns how far lids are lowered of which so little of the opening lies above the corners of the eyes: a lid that
+/// comes down takes it from there.
+double lowered_by_arch(double arched) {
+  const double usual = k_arched.mean + std::min(0.0, beyond(arched - k_arched.mean, k_arched, 1));
+  return std::clamp((k_arched.mean - usual) / (1 - usual), 0.0, 1.0);
+}
+
 std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const std::optional<RestingFace>& rest) {
   std::array<std::optional<double>, 2> out;
   const double doubt = rest ? rest->doubt : 1;
@@ -50,6 +58,12 @@ std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const 
     out[side] = closed_alone(*drawn.eyes[side], rest ? rest->measures.eyes[side] : std::nullopt, doubt);
   }
   if (!out[0] || !out[1]) return out;
+  if (!rest && is_open(drawn.eyes[0]) && is_open(drawn.eyes[1])) {
+    const double lowered = lowered_by_arch(std::max(drawn.eyes[0]->arched, drawn.eyes[1]->arched));
+    for (auto& one : out) {
+      if (lowered > 0) one = std::max(*one, lowered);
+    }
+  }
   // Eyes are wide together.
   const double wide = std::max(*out[0], *out[1]);
   for (auto& one : out) {
@@ -61,7 +75,7 @@ std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const 
     const auto& other = drawn.eyes[1 - side];
     if (is_line(one) && !is_line(other)) {
       out[side] = 1;
-      out[1 - side] = std::min(*out[1 - side], 0.0);
+      if (!is_open(other) || other->opening >= k_half_open) out[1 - side] = std::min(*out[1 - side], 0.0);
     }
     if (is_open(one) && is_open(other)) {
       const double own = one->opening * one->width;
@@ -78,19 +92,20 @@ void make_even(double& one, double& other, double stray) {
   one = other = 0.5 * (one + other);
 }
 
-std::optional<Expression::Brow> brow_of(const FaceMeasures& drawn, std::size_t side,
+std::optional<Expression::Brow> brow_of(const FaceMeasures& drawn, std::size_t side, double closed,
                                         const std::optional<RestingFace>& rest) {
   if (!drawn.brows[side]) return {};
   const BrowMeasure& brow = *drawn.brows[side];
-  double tilt = k_tilt.mean, gap = k_brow_gap.mean;
+  double tilt = k_tilt.mean, gap = k_brow_gap.mean, opening = k_opening;
   if (rest && rest->measures.brows[side]) {
     tilt = rest->measures.brows[side]->tilt;
-    gap = gap_over_eye(*rest->measures.brows[side], rest->measures.eyes[side]);
+    gap = gap_over_eye(*rest->measures.brows[side], rest->measures.eyes[side], 0, 0);
+    if (is_open(rest->measures.eyes[side])) opening = rest->measures.eyes[side]->opening;
   }
   const double doubt = rest ? rest->doubt : 1;
   Expression::Brow out;
   out.tilted = std::clamp(beyond(brow.tilt - tilt, k_tilt, doubt), -k_most_tilt, k_most_tilt);
-  const double higher = gap_over_eye(brow, drawn.eyes[side]) - gap;
+  const double higher = gap_over_eye(brow, drawn.eyes[side], closed, opening) - gap;
   out.raised = std::clamp(beyond(higher, higher > 0 ? k_brow_gap : k_low_brow, doubt), -k_most_raise, k_most_raise);
   return out;
 }
@@ -116,7 +131,7 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   const double uneven = beyond(corners[0] - corners[1], k_corner_skew, doubt);
   // The middle of an open mouth is lower than that of a shut one.
   const bool laughs = gap > 0 && 0.5 * (corners[0] + corners[1]) > k_laughing * gap;
-  if (both > 0) both = std::max(laughs ? k_laughs : 0.0, both - (0.5 - k_upper_of_gap) * gap);
+  if (both > 0) both = std::max(laughs ? k_laughs : 0.0, both - k_corners_stay * gap);
   for (std::size_t side = 0; side < 2; ++side) {
     const double own = both + (side == 0 ? 0.5 : -0.5) * uneven;
     out.corners[side] = std::clamp(own * scale, -k_most_corner, k_most_corner);
@@ -176,7 +191,8 @@ Expression expression_of(const FaceMeasures& drawn, const std::optional<RestingF
   Expression out;
   out.closed = closed_of(drawn, rest);
   if (out.closed[0] && out.closed[1]) make_even(*out.closed[0], *out.closed[1], k_even_lids);
-  for (std::size_t side = 0; side < 2; ++side) out.brows[side] = brow_of(drawn, side, rest);
+  for (std::size_t side = 0; side < 2; ++side)
+    out.brows[side] = brow_of(drawn, side, out.closed[side].value_or(0), rest);
   if (out.brows[0] && out.brows[1]) {
     make_even(out.brows[0]->raised, out.brows[1]->raised, k_even_brows);
     make_even(out.brows[0]->tilted, out.brows[1]->tilted, k_even_tilts);

@@ -115,7 +115,8 @@ struct Usual {
   double mean, spread;
 };
 inline constexpr Usual k_tilt{-0.06, 0.08}, k_brow_gap{0.29, 0.055}, k_low_brow{0.29, 0.12}, k_corner{0.0, 0.03},
-    k_corner_skew{0.0, 0.04}, k_mouth_width{0.8, 0.15}, k_gap{0.0, 0.04}, k_covered{0.0, 0.12}, k_closing{0.0, 0.1};
+    k_corner_skew{0.0, 0.04}, k_mouth_width{0.8, 0.15}, k_gap{0.0, 0.04}, k_covered{0.0, 0.12}, k_closing{0.0, 0.1},
+    k_arched{0.57, 0.13};
 /// Differences below this many spreads are no expression; those above the other one are nothing else.
 inline constexpr double k_from = 1.7, k_whole = 2.6;
 /// A line for an eye is a shut eye where both eyes are lines and bend by this share of their width.
@@ -128,6 +129,8 @@ inline constexpr double k_clear_tilt = 0.22, k_clear_gap = 0.15, k_shown = 0.25;
 inline constexpr double k_even_lids = 0.6, k_even_brows = 0.12, k_even_tilts = 0.3;
 /// An eye without an iris that is opened less than this share of its width is partly shut.
 inline constexpr double k_half_open = 0.26;
+/// Lids at rest are this far apart, of the width of the eye: the median of drawings.
+inline constexpr double k_opening = 0.5;
 /// An eye that is opened less than this share of the other is partly shut.
 inline constexpr double k_unlike = 0.6;
 /// Expressions are limited to what faces can do.
@@ -135,8 +138,9 @@ inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k
                         k_most_narrowed = 0.5, k_most_widened = 0.35;
 /// A brow tilts about this share of its length from the inner end.
 inline constexpr double k_tilt_pivot = 0.75;
-/// Lips part upwards by this share of the gap.
-inline constexpr double k_upper_of_gap = 0.2;
+/// Lips part upwards by this share of the gap, between jaws that drop (0) and vowels (0.2). The corners of a mouth that
+/// opens stay above the middle of its lips by the other share: the median of controls of ten rigs.
+inline constexpr double k_upper_of_gap = 0.1, k_corners_stay = 0.2;
 /// The standard deviation between a sketch and what it means, in distances of the eyes.
 inline constexpr double k_sketch_doubt = 0.025;
 /// The standard deviation of a hand that draws over a face, in distances of the eyes.

@@ -140,6 +140,18 @@ BrowMeasure measure_brow(const Marks& all, bool right) {
   return brow;
 }
 
+/// Returns the mean height of the ends at the left and at the right.
+double height_of_corners(const Marks& marks) {
+  PxPoint left{1e300, 0}, right{-1e300, 0};
+  for (const FaceMark* mark : marks) {
+    for (const PxPoint& p : mark->points) {
+      if (p.x < left.x) left = p;
+      if (p.x > right.x) right = p;
+    }
+  }
+  return 0.5 * (left.y + right.y);
+}
+
 EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
   EyeMeasure eye;
   Marks both = borders;
@@ -201,6 +213,7 @@ EyeMeasure measure_eye(const Marks& borders, const Marks& pupils) {
     top = upper;
   }
   eye.opening = eye.width > 0 ? std::max(0.0, lower - upper) / eye.width : 0;
+  if (lower > upper) eye.arched = (height_of_corners(wide) - upper) / (lower - upper);
   if (iris != nullptr) {
     const double radius = 0.5 * std::max(iris->size().x, iris->size().y);
     if (radius > k_small_pupil * std::max(1e-9, lower - upper)) {

@@ -27,7 +27,8 @@ struct EyeMeasure {
   std::optional<double>
       covered;  ///< by the upper lid: the share of the iris, or of the whole eye; below 0, white shows
   double width = 0;
-  double top = 0;  ///< of all that is drawn of it, above the middle of the eyes
+  double arched = 0.5;  ///< the share of the opening that lies above its corners
+  double top = 0;       ///< of all that is drawn of it, above the middle of the eyes
 };
 
 struct MouthMeasure {

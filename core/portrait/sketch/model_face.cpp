@@ -195,7 +195,11 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
     }
     intent::DrawnCurve line{curves_[c].points, camera_, {}, 0, {}};
     for (const PxPoint& p : target) line.target.push_back(layout_.on_sheet(p));
-    line.doubt_px = std::max(0.1, k_sketch_doubt * std::sqrt(geometry::dot(layout_.along, layout_.along)));
+    double doubt = k_sketch_doubt;
+    // What is meant for a small mouth is drawn on one of usual size, and shrinks with it.
+    if (one.feature == Feature::upper_lip || one.feature == Feature::lower_lip)
+      doubt *= std::min(1.0, mouth.width() / k_mouth_width.mean);
+    line.doubt_px = std::max(0.1, doubt * std::sqrt(geometry::dot(layout_.along, layout_.along)));
     out.push_back(std::move(line));
   }
   return out;

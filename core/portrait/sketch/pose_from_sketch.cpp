@@ -42,9 +42,10 @@ std::vector<Expression> parts_of(const Expression& whole) {
     parts[2].mouth->sneered = 0;
     parts.back().mouth->sneered = whole.mouth->sneered;
   }
-  // A mouth that smiles and opens does two things.
+  // A mouth that smiles or narrows and opens does two things.
   const bool smiles = whole.mouth && (whole.mouth->corners[0] > 0 || whole.mouth->corners[1] > 0);
-  if (smiles && whole.mouth->opened > 0) {
+  const bool narrows = whole.mouth && whole.mouth->widened < 0;
+  if ((smiles || narrows) && whole.mouth->opened > 0) {
     parts.push_back(rest);
     parts[2].mouth->opened = 0;
     parts.back().mouth->opened = whole.mouth->opened;
