@@ -75,7 +75,9 @@ std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const 
     const auto& other = drawn.eyes[1 - side];
     if (is_line(one) && !is_line(other)) {
       out[side] = 1;
-      if (!is_open(other) || other->opening >= k_half_open) out[1 - side] = std::min(*out[1 - side], 0.0);
+      const double lowered = is_open(other) ? lowered_by_arch(other->arched) : 0;
+      const bool winks = !is_open(other) || (other->opening >= k_half_open && lowered == 0);
+      out[1 - side] = winks ? std::min(*out[1 - side], 0.0) : std::max(*out[1 - side], lowered);
     }
     if (is_open(one) && is_open(other)) {
       const double own = one->opening * one->width;
@@ -105,7 +107,9 @@ std::optional<Expression::Brow> brow_of(const FaceMeasures& drawn, std::size_t s
   const double doubt = rest ? rest->doubt : 1;
   Expression::Brow out;
   out.tilted = std::clamp(beyond(brow.tilt - tilt, k_tilt, doubt), -k_most_tilt, k_most_tilt);
-  const double higher = gap_over_eye(brow, drawn.eyes[side], closed, opening) - gap;
+  double higher = gap_over_eye(brow, drawn.eyes[side], 0, 0) - gap;
+  // A lid that comes down leaves a gap below a brow that stays.
+  if (higher > 0) higher = std::max(0.0, gap_over_eye(brow, drawn.eyes[side], closed, opening) - gap);
   out.raised = std::clamp(beyond(higher, higher > 0 ? k_brow_gap : k_low_brow, doubt), -k_most_raise, k_most_raise);
   return out;
 }
@@ -136,6 +140,11 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
     const double own = both + (side == 0 ? 0.5 : -0.5) * uneven;
     out.corners[side] = std::clamp(own * scale, -k_most_corner, k_most_corner);
   }
+  // One corner is raised or lowered alone, but seldom one against the other.
+  if (out.corners[0] * out.corners[1] < 0) {
+    const std::size_t lesser = std::abs(out.corners[0]) < std::abs(out.corners[1]) ? 0 : 1;
+    out.corners[lesser] = 0;
+  }
   // Corners that go up go outwards.
   for (const double corner : out.corners) {
     if (out.widened >= 0 && corner > 0) out.widened = std::max(out.widened, k_smile_widens * corner);
@@ -150,6 +159,8 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
       out.widened = std::max(out.widened, -k_narrowed_open);
     }
   }
+  // What an opening jaw does by itself is no gesture of its own.
+  if (out.widened < 0) out.widened = std::min(0.0, out.widened + k_open_narrows * out.opened);
   return out;
 }
 
@@ -162,7 +173,7 @@ void add_companions(Expression& expression, const FaceMeasures& drawn) {
   if (tilt > k_angry_tilt) {
     for (auto& brow : expression.brows) brow->raised = std::min(brow->raised, 0.0);
   }
-  const bool afraid = tilt < 0 && (mouth.opened > 0 || mouth.widened > 0);
+  const bool afraid = tilt < 0 && (mouth.opened > 0 || mouth.widened > 0 || drawn.mouth->queasy);
   const bool surprised = raised > 0 && mouth.opened > 0 && mouth.widened < 0;
   for (std::size_t side = 0; side < 2; ++side) {
     if ((afraid || surprised) && expression.closed[side] && *expression.closed[side] == 0 && !is_line(drawn.eyes[side]))

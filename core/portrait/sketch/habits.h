@@ -139,8 +139,11 @@ inline constexpr double k_widest = 0.5, k_most_tilt = 0.7, k_most_raise = 0.3, k
 /// A brow tilts about this share of its length from the inner end.
 inline constexpr double k_tilt_pivot = 0.75;
 /// Lips part upwards by this share of the gap, between jaws that drop (0) and vowels (0.2). The corners of a mouth that
-/// opens stay above the middle of its lips by the other share: the median of controls of ten rigs.
-inline constexpr double k_upper_of_gap = 0.1, k_corners_stay = 0.2;
+/// opens stay above the middle of its lips by the second share, and the mouth narrows by the third one: the medians of
+/// controls of ten rigs.
+inline constexpr double k_upper_of_gap = 0.1, k_corners_stay = 0.2, k_open_narrows = 0.15;
+/// So the corners drop by this share.
+inline constexpr double k_corners_drop = 0.5 - k_upper_of_gap - k_corners_stay;
 /// The standard deviation between a sketch and what it means, in distances of the eyes.
 inline constexpr double k_sketch_doubt = 0.025;
 /// The standard deviation of a hand that draws over a face, in distances of the eyes.

@@ -182,9 +182,10 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
         for (PxPoint& p : target) {
           const double t = w > 0 ? std::clamp((p.x - mouth.middle()) / (0.5 * w), -1.0, 1.0) : 0;
           const double corner = expression.mouth->corners[t > 0 ? 1 : 0];
-          p.y += (share * expression.mouth->opened * (1 - t * t) - corner * t * t) * w;
+          const double opened = expression.mouth->opened;
+          p.y += (share * opened * (1 - t * t) + k_corners_drop * opened * t * t - corner * t * t) * w;
           if (one.feature == Feature::upper_lip) p.y -= expression.mouth->sneered * (1 - t * t) * w;
-          p.x += 0.5 * w * t * expression.mouth->widened;
+          p.x += 0.5 * w * t * (expression.mouth->widened - k_open_narrows * opened);
         }
         break;
       }
