@@ -61,6 +61,28 @@ TEST(Expression, AnEyeThatIsALineBesideAnOpenOneIsShut) {
   EXPECT_LE(*shown.closed[0], 0);
 }
 
+TEST(Expression, LidsThatComeDownLowerNoBrow) {
+  DrawnFace sleepy;
+  sleepy.lowered = 0.5;
+  const auto shown = shown_by(sleepy);
+  for (const std::size_t side : {0U, 1U}) {
+    EXPECT_GT(*shown.closed[side], 0.35);
+    EXPECT_LT(*shown.closed[side], 0.7);
+    EXPECT_EQ(shown.brows[side]->raised, 0) << "the gap below it is the lid's";
+  }
+}
+
+TEST(Expression, OneCornerIsRaisedAlone) {
+  DrawnFace rest;
+  const auto face = find_face(rest.lines());
+  ASSERT_TRUE(face);
+  FaceMeasures measures = measure(*face);
+  measures.mouth->corners = {0.16, -0.1};
+  const auto shown = expression_of(measures, {});
+  EXPECT_GT(shown.mouth->corners[0], 0.08);
+  EXPECT_EQ(shown.mouth->corners[1], 0);
+}
+
 TEST(Expression, AnOpenMouth) {
   DrawnFace open;
   open.gap = 40;

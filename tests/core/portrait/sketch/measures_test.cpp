@@ -30,6 +30,10 @@ TEST(Measures, AnEyeIsOpenAndALineIsALine) {
   EXPECT_EQ(face.eyes[0]->kind, EyeKind::line);
   EXPECT_EQ(face.eyes[1]->kind, EyeKind::open);
   EXPECT_NEAR(face.eyes[1]->opening, 28.0 / 40, 0.03);
+  EXPECT_NEAR(face.eyes[1]->arched, 0.5, 0.05);
+  DrawnFace sleepy;
+  sleepy.lowered = 0.5;
+  EXPECT_NEAR(measured(sleepy).eyes[1]->arched, 0, 0.1) << "nothing lies above the corners";
 }
 
 TEST(Measures, CornersAreOverTheMiddleOfTheMouth) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -14,8 +15,9 @@ struct DrawnFace {
 
   std::array<double, 2> brow_inner{0, 0}, brow_outer{0, 0};  ///< up from where they rest
   std::array<bool, 2> shut{false, false};
-  double smile = 0;  ///< corners up from the middle of the mouth
-  double gap = 0;    ///< of an open mouth, a closed line
+  double lowered = 0;  ///< upper lids, of the eye: the iris below is left out
+  double smile = 0;    ///< corners up from the middle of the mouth
+  double gap = 0;      ///< of an open mouth, a closed line
   double half_width = 40;
   double turn = 0;  ///< radians about the middle
   bool outline = true;
@@ -31,7 +33,8 @@ struct DrawnFace {
         out.push_back(bow({x - 20, 200}, {x + 20, 200}, 8));
       } else {
         out.push_back(ring({x, 200}, 20, 14));
-        out.push_back(ring({x, 200}, 4, 4));
+        for (geometry::PxPoint& p : out.back()) p.y = std::max(p.y, 186 + 28 * lowered);
+        if (!(lowered > 0)) out.push_back(ring({x, 200}, 4, 4));
       }
     }
     out.push_back({{200, 220}, {192, 250}, {204, 252}});
