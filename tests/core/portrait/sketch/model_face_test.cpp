@@ -25,8 +25,8 @@ struct SeenHead {
     for (const bool lower : {false, true}) {
       const auto& curve = curves[face.curve_of(FacePart::mouth, false, lower).value()];
       for (const auto& line : lines) {
-        if (line.reference.front().vertex == curve.points.front().vertex &&
-            line.reference.back().vertex == curve.points.back().vertex && line.reference.size() == curve.points.size())
+        const auto same = [](const posing::CurvePoint& a, const posing::CurvePoint& b) { return a.vertex == b.vertex; };
+        if (std::equal(line.reference.begin(), line.reference.end(), curve.points.begin(), curve.points.end(), same))
           out[lower ? 1 : 0] = line.target;
       }
     }
