@@ -95,7 +95,7 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
       out.pose = std::move(*over);
       return out;
     }
-    if (drawing.in_view || !drawing.neutral.empty()) return out;
+    if (drawing.in_view || !drawing.neutral.empty() || (drawing.traced && out.read.of_this_face)) return out;
   }
   auto sketched = pose_from_sketch(rig, whole, curves, drawing, camera, start, free);
   if (!sketched) return sketched.error();

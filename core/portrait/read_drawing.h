@@ -34,6 +34,7 @@ struct Drawing {
   bool in_view = false;
   std::vector<GivenLabel> given = {};          ///< one a line; empty: all are to be found
   std::vector<GivenLabel> given_neutral = {};  ///< the same of `neutral`
+  bool traced = false;                         ///< from a picture of this model: its lines are compared with it alone
 };
 
 /// What a line was taken for: a stretch of a curve. Of a line that is drawn around something, as an eye is, that is its

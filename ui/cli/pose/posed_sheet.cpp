@@ -31,6 +31,46 @@ std::vector<geometry::Camera> views_of(const document::Model& model, const io::P
   return views;
 }
 
+/// What is read of a face's features, and the camera that sees them so.
+struct Seen {
+  portrait::DrawnPose posed;
+  geometry::Camera camera;
+};
+
+/// Returns whether a sheet lies in a view as a picture from there does, so that it is one or was drawn over one.
+bool is_picture_of(const io::PictureLines& drawn, const portrait::Placement& sheet, const geometry::Camera& view) {
+  constexpr double k_apart = 0.05;  // of the sheet's size
+  if (!(drawn.width > 0.0 && drawn.height > 0.0)) return false;
+  const double scale = view.viewport().height / drawn.height;
+  const geometry::PxPoint middle{0.5 * drawn.width, 0.5 * drawn.height};
+  return std::abs(sheet.along / scale - 1.0) + std::abs(sheet.across / scale) < k_apart &&
+         geometry::distance(sheet(middle), middle * scale) < k_apart * view.viewport().height;
+}
+
+/// Reads features as a drawing sees them, from afar, and as a picture of the program shows them, from near, where the
+/// sheet lies as such a picture and its lines fit better. Errors: those of portrait::pose_from_drawing.
+base::Result<Seen> read_features(const SheetReading& reading, const io::PictureLines& drawn,
+                                 const portrait::Drawing& drawing, const document::DrawingStart& start) {
+  const document::Model& model = *reading.document.model;
+  const auto read = [&](const portrait::Drawing& sheet, const geometry::Camera& camera) {
+    return portrait::pose_from_drawing(*model.rig, reading.whole, reading.curves, sheet, camera, start.pose,
+                                       start.free);
+  };
+  const auto far = portrait::camera_of_drawing(*model.rig, reading.curves, start.pose, reading.yaw_degrees);
+  auto posed = read(drawing, far);
+  if (!posed) return posed.error();
+  Seen best{std::move(*posed), far};
+  portrait::Drawing traced = drawing;
+  traced.traced = true;
+  for (const geometry::Camera& view : views_of(model, drawn, reading.yaw_degrees)) {
+    auto near = read(traced, view);
+    if (!near || !near->read.of_this_face || !is_picture_of(drawn, near->sheet, view)) continue;
+    if (best.posed.read.of_this_face && near->read.energy >= best.posed.read.energy) continue;
+    best = {std::move(*near), view};
+  }
+  return best;
+}
+
 portrait::ContourDrawing contours_of(const io::PictureLines& drawn, bool all) {
   portrait::ContourDrawing out;
   out.width = drawn.width;
@@ -71,7 +111,6 @@ base::Result<PosedSheet> posed_sheet(const SheetReading& reading, const io::Pict
   if (all) return by_contours(reading, drawn);
   const document::Model& model = *reading.document.model;
   const auto start = document::drawing_start(reading.document, reading.whole, reading.curves);
-  const auto camera = portrait::camera_of_drawing(*model.rig, reading.curves, start.pose, reading.yaw_degrees);
   PosedSheet sheet;
   portrait::Drawing drawing;
   drawing.neutral = reading.neutral;
@@ -79,25 +118,24 @@ base::Result<PosedSheet> posed_sheet(const SheetReading& reading, const io::Pict
     sheet.lines.push_back({is_contour(line), false, {}});
     if (!is_contour(line)) drawing.lines.push_back(line.points);
   }
-  auto posed =
-      portrait::pose_from_drawing(*model.rig, reading.whole, reading.curves, drawing, camera, start.pose, start.free);
-  if (!posed) return posed.error();
-  sheet.pose = std::move(posed->pose);
-  sheet.neutral = std::move(posed->read.neutral);
+  auto seen = read_features(reading, drawn, drawing, start);
+  if (!seen) return seen.error();
+  sheet.pose = std::move(seen->posed.pose);
+  sheet.neutral = std::move(seen->posed.read.neutral);
   portrait::ContourDrawing contours = contours_of(drawn, false);
   std::size_t next = 0;
   for (LineTaken& line : sheet.lines) {
     if (line.contour) continue;
-    line.read = posed->read.lines[next++];
+    line.read = seen->posed.read.lines[next++];
     if (!line.read.curve) continue;
     const auto& points = reading.curves[*line.read.curve].points;
     for (std::size_t i = 0; i < points.size(); i += k_kept_step) contours.kept.push_back(points[i]);
   }
   // Where no feature was found nothing says where the sheet lies.
   if (contours.lines.empty() || contours.kept.empty()) return sheet;
-  contours.placement = posed->sheet;
+  contours.placement = seen->posed.sheet;
   const auto moved = portrait::pose_from_contours(*model.rig, *model.mesh, reading.whole, contours,
-                                                  std::span(&camera, 1), sheet.pose, start.free);
+                                                  std::span(&seen->camera, 1), sheet.pose, start.free);
   if (!moved) return moved.error();
   take(*moved, sheet);
   return sheet;
