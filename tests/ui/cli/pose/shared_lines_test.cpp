@@ -71,5 +71,20 @@ TEST_F(SharedLines, AnEvenSmileIsNoMouthPulledToBothSides) {
   }
 }
 
+TEST_F(SharedLines, APictureOfAFaceDrawnBackGivesItsPoseAgain) {
+  const std::string model = (tests::shared_dir() / "meshes" / "ict_face_narrow.glb").string();
+  for (const double smile : {0.0, 0.7}) {
+    const std::string value = std::to_string(smile);
+    ASSERT_EQ(run({"render", model, "--set", "mouthSmile_L=" + value, "--set", "mouthSmile_R=" + value, "--view",
+                   "face", "--lines", "-o", path("face.svg")}),
+              0)
+        << error_;
+    ASSERT_EQ(run({"draw", model, path("face.svg"), "--json"}), 0) << error_;
+    const Json printed = Json::parse(out_);
+    for (const auto& [name, found] : printed.at("parameters").items())
+      EXPECT_NEAR(found.get<double>(), name.starts_with("mouthSmile") ? smile : 0.0, 0.05) << name;
+  }
+}
+
 }  // namespace
 }  // namespace penpose::cli
