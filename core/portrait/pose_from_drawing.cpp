@@ -51,11 +51,10 @@ bool shows_else(const rig::Rig& rig, std::span<const FeatureCurve> curves, const
   if (!rest || !posed) return false;
   // A face of this model's own proportions needs no other size.
   if (sketched.layout.scale != 1.0) return false;
-  const FaceMeasures drawn = measure(sketched.layout);
-  // A drawing of another face at rest is no expression of this one.
+  // A drawing of a face at rest is no expression of this one.
   const bool moved = !expression_of(posed->measures(), RestingFace{rest->measures(), 1.0}).rests();
-  if (moved && expression_of(drawn, {}).rests()) return true;
-  return contradicts(drawn, posed->measures(), rest->measures());
+  if (moved && sketched.rests) return true;
+  return contradicts(measure(sketched.layout), posed->measures(), rest->measures());
 }
 
 /// Returns whether the drawing of the face at rest shows this very model; true without such a drawing.
@@ -95,7 +94,7 @@ base::Result<DrawnPose> pose_from_drawing(const rig::Rig& rig, const intent::Who
       out.pose = std::move(*over);
       return out;
     }
-    if (drawing.in_view || !drawing.neutral.empty() || (drawing.traced && out.read.of_this_face)) return out;
+    if (drawing.in_view || (drawing.traced && out.read.of_this_face)) return out;
   }
   auto sketched = pose_from_sketch(rig, whole, curves, drawing, camera, start, free);
   if (!sketched) return sketched.error();

@@ -80,7 +80,7 @@ base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, 
     rest = RestingFace{face->measures(), k_over_face};
   }
   const Expression expression = expression_of(measure(*layout), rest);
-  SketchedPose out{start, lines_of(*layout, *face), {}, laid_on(face->layout(), *layout)};
+  SketchedPose out{start, lines_of(*layout, *face), {}, laid_on(face->layout(), *layout), expression.rests()};
   const auto parameters = rig.parameters();
   intent::SolveWorkspace work;
   intent::SolveOptions options;

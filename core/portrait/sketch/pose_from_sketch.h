@@ -17,6 +17,7 @@ struct SketchedPose {
   std::vector<LineRead> lines;  ///< one a line
   FaceLayout layout;
   Placement sheet;  ///< where the drawing lies in the camera's picture
+  bool rests = false;  ///< it shows no expression
 };
 
 /// Reads a drawing the way a person does: finds the face by its layout, measures what its brows, eyes and mouth show
