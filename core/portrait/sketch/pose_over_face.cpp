@@ -110,7 +110,10 @@ void add_lone_mouth(const ModelFace& face, const Drawing& drawing, std::vector<W
     ways.push_back(first);
     ways.back().lines[line].curve = border;
   }
-  for (Way& way : ways) way.cost = k_lone_border;
+  for (Way& way : ways) {
+    const auto& border = way.lines[line].curve;
+    if (border == upper || border == lower) way.cost = k_lone_border;
+  }
   ways.push_back({first.lines, Seam{line, *lower}, 0});
   ways.back().lines[line].curve = upper;
 }

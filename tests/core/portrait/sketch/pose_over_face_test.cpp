@@ -99,7 +99,7 @@ TEST(PoseOverFace, OneLineAlongShutLipsMovesBoth) {
   const Head head;
   rig::Pose smile = head.rest;
   smile[head.control("mouth_corner_L")] = smile[head.control("mouth_corner_R")] = 0.7;
-  for (const char* taken_for : {"lip_lower_inner", "lip_upper"}) {
+  for (const char* taken_for : {"lip_lower_inner", "lip_upper_inner"}) {
     std::vector<LineRead> labels{labelled(head.curve(taken_for))};
     const rig::Pose found = head.over({"lip_upper_inner"}, smile, labels);
     EXPECT_EQ(labels[0].curve, head.curve("lip_upper_inner")) << taken_for;
