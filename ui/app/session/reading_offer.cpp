@@ -134,8 +134,8 @@ void ReadingOffer::look_at_face(EditingSession& editing, document::CurveId line)
   if (face_.found().size() == known) return;
   readings_.clear();
   for (const FaceReading& one : face_.found())
-    readings_.push_back(
-        {feature_words(one.feature), std::nullopt, one.pose, document::NameFaceLine{line, one.feature, false}});
+    readings_.push_back({feature_words(one.feature), std::nullopt, one.pose,
+                         document::NameFaceLine{line, one.feature, false}, one.feature});
 }
 
 void ReadingOffer::show(EditingSession& editing, std::optional<std::size_t> which) {

@@ -21,6 +21,7 @@ struct OfferedReading {
   std::optional<int> percent;  ///< how likely it is, rounded; nothing: not known
   document::SharedPose pose;   ///< what the face shows
   document::Command command;   ///< what makes it a step
+  std::string feature = {};    ///< the name of the feature that a line of the face then is
 };
 
 /// Other readings of the last line, "did you mean": one is shown on the face where the pen is over it, and becomes a

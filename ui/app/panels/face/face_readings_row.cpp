@@ -12,6 +12,13 @@ namespace {
 /// Of a picture, in targets of a pen.
 constexpr float k_widest_picture = 2.8F, k_narrowest_picture = 1.5F;
 
+/// What the pictures show: the part of the face that all of the readings are about, else all of it.
+FacePart part_shown(const ReadingOffer& offer) {
+  const FacePart part = part_of(offer.readings().front().feature);
+  const auto same = [&](const OfferedReading& one) { return part_of(one.feature) == part; };
+  return std::all_of(offer.readings().begin(), offer.readings().end(), same) ? part : FacePart::all;
+}
+
 }  // namespace
 
 FaceReadingsSize face_readings_size(const PanelContext& context, const ReadingOffer& offer, float wide) {
@@ -27,11 +34,12 @@ bool show_face_readings(PanelContext& context, EditingSession& editing, ReadingO
   auto& place = context.own.of<ReadingsPlace>();
   std::optional<std::size_t> shown;
   std::optional<std::size_t> taken;
+  const FacePart part = part_shown(offer);
   for (std::size_t i = 0; i < offer.readings().size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const OfferedReading& one = offer.readings()[i];
     const document::PoseKey key{0, one.pose, {}};
-    const PictureTile tile{picture, context.pictures.place_of(editing.document(), key, FacePart::all), one.words};
+    const PictureTile tile{picture, context.pictures.place_of(editing.document(), key, part), one.words};
     if (picture_tile(context, ("reading " + std::to_string(i + 1)).c_str(), tile)) taken = i;
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) shown = i;
     tooltip(context, ("The line is the " + one.words + ": the face shows it; press to take it").c_str());

@@ -17,7 +17,7 @@ struct FaceReadingsSize {
 [[nodiscard]] FaceReadingsSize face_readings_size(const PanelContext& context, const ReadingOffer& offer, float wide);
 
 /// Shows the faces that the readings make, each with the feature that the line then is, in the panel that was begun.
-/// The model shows the one under the pen; a press takes it. True where one was taken.
+/// The model shows the one under the pen; a press takes it. True where one was taken. Precondition: there are some.
 bool show_face_readings(PanelContext& context, EditingSession& editing, ReadingOffer& offer, float picture);
 
 }  // namespace penpose::app
