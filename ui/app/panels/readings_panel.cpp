@@ -19,6 +19,14 @@ const char* question_of(const ReadingOffer& offer) {
   return offer.nothing_moved() ? "Nothing moved. Did you mean" : "Did you mean";
 }
 
+/// Whether a row would lie over the line that it is about.
+bool hides_line(const Area& row, const EditingSession& editing, const Canvas& canvas, const ReadingOffer& offer) {
+  const auto& face = editing.document().face;
+  const document::FaceLine* line = document::find_face_line(editing.document(), *offer.face_line());
+  const auto seen = line != nullptr ? document::line_in(canvas.view(), *face, *line) : std::nullopt;
+  return seen && std::any_of(seen->begin(), seen->end(), [&](const PxPoint& p) { return row.holds(p); });
+}
+
 /// What a line of the face may be besides, in pictures.
 void show_faces(PanelContext& context, EditingSession& editing, const Canvas& canvas, ReadingOffer& offer) {
   const Area free = canvas.free_area();
@@ -30,8 +38,13 @@ void show_faces(PanelContext& context, EditingSession& editing, const Canvas& ca
   const auto width =
       static_cast<double>(std::max(size.width, ImGui::CalcTextSize(question).x + 2 * style.WindowPadding.x + 1));
   const auto height = static_cast<double>(size.height + text + 2 * style.WindowPadding.y);
-  const Area row{free.left + gap, free.bottom - gap - height, free.left + gap + width, free.bottom - gap};
-  context.own.of<ReadingsPlace>().area = row;
+  Area row{free.left + gap, free.bottom - gap - height, free.left + gap + width, free.bottom - gap};
+  // What it is about stays in sight.
+  if (hides_line(row, editing, canvas, offer)) {
+    row = {row.left, free.top + gap, row.right, free.top + gap + height};
+  } else {
+    context.own.of<ReadingsPlace>().area = row;
+  }
   if (begin_panel(context, "readings", row)) {
     ImGui::TextUnformatted(question);
     show_face_readings(context, editing, offer, size.picture);
