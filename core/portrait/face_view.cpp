@@ -144,6 +144,17 @@ void keep_strongest(std::vector<Control>& controls, std::vector<std::vector<Line
   ways.resize(to);
 }
 
+/// The covariance of the middle of a trace's points.
+std::array<double, 3> of_middle(const Spread& spread) {
+  std::array<double, 3> sum{};
+  for (std::size_t i = 0; i < k_numbers; ++i) {
+    for (std::size_t k = 0; k <= i; ++k)
+      sum[i % 2 + k % 2] += (i == k ? 1.0 : i % 2 == k % 2 ? 2.0 : 1.0) * spread[i * k_numbers + k];
+  }
+  for (double& v : sum) v *= 1.0 / static_cast<double>(k_points * k_points);
+  return sum;
+}
+
 }  // namespace
 
 std::size_t FaceView::stretches_per_curve() { return k_parts.size(); }
@@ -163,6 +174,7 @@ void add_way(const Trace& way, double factor, Spread& spread) {
 
 void FaceView::measure_spreads() {
   spreads_.assign(stretches_.size(), Spread{});
+  middle_spreads_.clear();
   for (std::size_t s = 0; s < stretches_.size(); ++s) {
     for (const Unit& unit : units_) {
       Trace way{};
@@ -171,6 +183,7 @@ void FaceView::measure_spreads() {
       }
       add_way(way, usual_share(unit), spreads_[s]);
     }
+    middle_spreads_.push_back(of_middle(spreads_[s]));
   }
 }
 

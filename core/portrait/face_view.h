@@ -76,6 +76,10 @@ class FaceView {
   [[nodiscard]] std::span<const Stretch> stretches() const { return stretches_; }
   /// How controls spread one of stretches() by their usual shares.
   [[nodiscard]] const Spread& spread(std::size_t stretch) const { return spreads_[stretch]; }
+  /// The same of the middle of its points: xx, xy, yy.
+  [[nodiscard]] const std::array<double, 3>& spread_of_middle(std::size_t stretch) const {
+    return middle_spreads_[stretch];
+  }
   [[nodiscard]] std::span<const Control> controls() const { return controls_; }
   [[nodiscard]] std::span<const Unit> units() const { return units_; }
   [[nodiscard]] std::size_t curve_count() const { return curve_count_; }
@@ -123,6 +127,7 @@ class FaceView {
 
   std::vector<Stretch> stretches_;
   std::vector<Spread> spreads_;
+  std::vector<std::array<double, 3>> middle_spreads_;
   std::vector<Control> controls_;
   std::vector<Unit> units_;
   std::vector<double> unrest_;

@@ -239,7 +239,7 @@ constexpr std::array k_actions{
      "Did you mean: take the third reading of the last line; again: take the first one back",
      "M4 18L12 6L20 18M12 6L9 18M12 6L15 18",
      does([](EditingSession& editing, ReadingOffer& offer) { offer.take(editing, 1); }),
-     does([](const ReadingOffer& offer) { return offer.words().size() > 1; })},
+     does([](const ReadingOffer& offer) { return offer.readings().size() > 1; })},
     ActionInfo{{"open"}, "Open", ctrl('o'), {}, "Open a model, a project or a session",
      "M3 19L3 5L9 5L11 8L20 8L20 11M3 19L7 11L22 11L19 19Z",
      does([](Dialogs& dialogs) { dialogs.show(Dialog::open); })},

@@ -151,8 +151,9 @@ void App::advance() {
   controls_.tell_doubt_of_feature();
   offer_.follow(editing_);
   overlap_.follow();
-  readings_.follow(editing_, offer_.open() || overlap_.open() || tour_.active() || player_.plays_session() ||
-                                 playback_.playing() || performer_.performing() || sketches(editing_.editor().tool()));
+  const bool quiet = offer_.open() || overlap_.open() || tour_.active() || player_.plays_session() ||
+                     playback_.playing() || performer_.performing() || sketches(editing_.editor().tool());
+  readings_.follow(editing_, quiet, panels_.face_line_asked(editing_.document()));
 }
 
 std::int64_t App::wait_for_rest(std::int64_t now_us) {
@@ -212,6 +213,7 @@ int App::next_frame_ms() {
   if (player_.trace && player_.trace->playing()) {
     return static_cast<int>(std::clamp<std::int64_t>(player_.trace->next_in_us() / 1000, 1, 1000));
   }
+  if (readings_.searches()) return 0;
   if (dials_.waits()) return k_dial_look_ms;
   if (film_.writes()) return k_film_look_ms;
   if (first_pass_.listens()) return k_dial_look_ms;

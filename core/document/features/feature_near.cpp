@@ -73,22 +73,50 @@ std::vector<ModelPoint> positions_of(const Model& model, const rig::Pose& pose, 
   return out;
 }
 
+namespace {
+
+/// A line is near a feature whose misfit is below this.
+constexpr double k_near = 0.3;
+
+struct Fitting {
+  std::string name;
+  double misfit = 0;
+};
+
+/// How badly a line fits each feature, in their order.
+std::vector<Fitting> fittings_of(const Model& model, const rig::Pose& pose,
+                                 std::span<const portrait::FeatureCurve> features, const Line& line) {
+  std::vector<Fitting> out;
+  for (const portrait::FeatureCurve& curve : features)
+    out.push_back({curve.name, misfit(line, positions_of(model, pose, curve))});
+  return out;
+}
+
+void sort_by_misfit(std::vector<Fitting>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Fitting& a, const Fitting& b) { return a.misfit < b.misfit; });
+}
+
+}  // namespace
+
 std::optional<std::string> feature_near(const Model& model, const rig::Pose& pose, const FeatureCurves& features,
                                         const Line& line) {
-  constexpr double k_near = 0.3;
   constexpr double k_clearly = 1.3;  // so much worse is the next one
-  double best = std::numeric_limits<double>::infinity(), second = best;
-  std::optional<std::string> out;
-  for (const auto* list : {&features.curves, &features.unsure}) {
-    for (const portrait::FeatureCurve& curve : *list) {
-      const double here = misfit(line, positions_of(model, pose, curve));
-      second = std::min(second, std::max(best, here));
-      if (here >= best) continue;
-      best = here;
-      out = curve.name;
-    }
+  std::vector<Fitting> all = fittings_of(model, pose, features.curves, line);
+  for (Fitting& one : fittings_of(model, pose, features.unsure, line)) all.push_back(std::move(one));
+  sort_by_misfit(all);
+  if (all.empty() || !(all.front().misfit < k_near)) return std::nullopt;
+  if (all.size() > 1 && all[1].misfit < k_clearly * all.front().misfit) return std::nullopt;
+  return all.front().name;
+}
+
+std::vector<std::string> features_near(const Model& model, const rig::Pose& pose,
+                                       std::span<const portrait::FeatureCurve> features, const Line& line) {
+  std::vector<Fitting> all = fittings_of(model, pose, features, line);
+  sort_by_misfit(all);
+  std::vector<std::string> out;
+  for (Fitting& one : all) {
+    if (one.misfit < k_near) out.push_back(std::move(one.name));
   }
-  if (!(best < k_near) || second < k_clearly * best) return std::nullopt;
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace penpose::document {
 [[nodiscard]] std::optional<std::string> feature_near(const Model& model, const rig::Pose& pose,
                                                       const FeatureCurves& features,
                                                       const std::vector<geometry::ModelPoint>& line);
+
+/// The features that a line may mean, by the same measure, the nearest first. Empty: it is near none.
+[[nodiscard]] std::vector<std::string> features_near(const Model& model, const rig::Pose& pose,
+                                                     std::span<const portrait::FeatureCurve> features,
+                                                     const std::vector<geometry::ModelPoint>& line);
 
 /// Whether a line runs the other way than the feature of that name; than features do, to the face's own left or up,
 /// where it has none.

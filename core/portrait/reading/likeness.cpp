@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/algebra/cholesky.h"
 #include "core/base/math.h"
@@ -21,19 +22,28 @@ PxPoint middle_of(const Trace& trace) {
   return sum * (1.0 / static_cast<double>(k_points));
 }
 
-/// The inverse of the covariance of a trace's middle: xx, xy, yy. The squares of the middle alone are no more than
-/// those of the whole.
-std::array<double, 3> inverse_spread_of_middle(const Spread& spread) {
-  std::array<double, 3> sum{};
-  for (std::size_t i = 0; i < k_numbers; ++i) {
-    for (std::size_t k = 0; k <= i; ++k)
-      sum[i % 2 + k % 2] += (i == k ? 1.0 : i % 2 == k % 2 ? 2.0 : 1.0) * spread[i * k_numbers + k];
+/// One, two and three half waves at the points of a trace.
+std::array<std::array<double, 3>, k_points> waves_along() {
+  std::array<std::array<double, 3>, k_points> out{};
+  for (std::size_t i = 0; i < k_points; ++i) {
+    const double angle = base::k_pi * (static_cast<double>(i) / static_cast<double>(k_points - 1));
+    out[i] = {base::sin(angle), base::sin(2.0 * angle), base::sin(3.0 * angle)};
   }
-  constexpr double k_share = 1.0 / static_cast<double>(k_points * k_points);
-  for (double& v : sum) v *= k_share;
-  const double determinant = sum[0] * sum[2] - sum[1] * sum[1];
+  return out;
+}
+
+/// Adds the square of what a way does to the middle of a trace: xx, xy, yy.
+void add_to_middle(const Trace& way, double factor, std::array<double, 3>& spread) {
+  const PxPoint moved = middle_of(way) * factor;
+  spread[0] += moved.x * moved.x;
+  spread[1] += moved.x * moved.y;
+  spread[2] += moved.y * moved.y;
+}
+
+std::array<double, 3> inverse_of(const std::array<double, 3>& spread) {
+  const double determinant = spread[0] * spread[2] - spread[1] * spread[1];
   if (!(determinant > 0.0)) return {};
-  return {sum[2] / determinant, -sum[1] / determinant, sum[0] / determinant};
+  return {spread[2] / determinant, -spread[1] / determinant, spread[0] / determinant};
 }
 
 }  // namespace
@@ -55,12 +65,12 @@ std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch) {
   }
   const double end_share = stretch.whole() ? k_end : k_end_of_part;
   const double end = end_share * length / (stretch.to - stretch.from);
+  static const std::array<std::array<double, 3>, k_points> waves = waves_along();
   for (std::size_t i = 0; i < k_points; ++i) {
     const double x = static_cast<double>(i) / static_cast<double>(k_points - 1);
-    const double angle = base::k_pi * x;
-    const std::array<double, k_along> along = {end * (1.0 - x), end * x, k_bend * length * base::sin(angle),
-                                               k_bend / 2.0 * length * base::sin(2.0 * angle),
-                                               k_bend / 3.0 * length * base::sin(3.0 * angle)};
+    const std::array<double, k_along> along = {end * (1.0 - x), end * x, k_bend * length * waves[i][0],
+                                               k_bend / 2.0 * length * waves[i][1],
+                                               k_bend / 3.0 * length * waves[i][2]};
     for (std::size_t s = 0; s < k_along; ++s) {
       out[s][2 * i] = along[s] * tangent[2 * i];
       out[s][2 * i + 1] = along[s] * tangent[2 * i + 1];
@@ -69,69 +79,100 @@ std::vector<Trace> slides_of(const Trace& mean, const Stretch& stretch) {
   return out;
 }
 
-Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand) {
-  PxPoint centre{0, 0};
+Likeness::Likeness(const FaceView& face, Belief belief, const Hand& hand)
+    : face_(face),
+      belief_(std::move(belief)),
+      hand_(hand),
+      places_(face.stretches().size()),
+      normals_(face.stretches().size()) {
   for (std::size_t c = 0; c < face.curve_count(); ++c) {
     const Trace& rest = face.curve(c).rest;
-    for (std::size_t i = 0; i < k_points; ++i) centre = centre + PxPoint{rest[2 * i], rest[2 * i + 1]};
+    for (std::size_t i = 0; i < k_points; ++i) centre_ = centre_ + PxPoint{rest[2 * i], rest[2 * i + 1]};
   }
-  centre = centre * (1.0 / static_cast<double>(face.curve_count() * k_points));
-  for (std::size_t s = 0; s < face.stretches().size(); ++s) {
-    const Stretch& stretch = face.stretches()[s];
-    Normal normal;
-    normal.mean = stretch.rest;
-    for (std::size_t j = 0; j < belief.shares.size(); ++j) {
-      if (belief.shares[j] == 0.0) continue;
-      for (std::size_t i = 0; i < k_numbers; ++i) normal.mean[i] += belief.shares[j] * stretch.ways[j][i];
-    }
-    for (std::size_t p = 0; p < belief.proportions.size(); ++p) {
-      for (std::size_t i = 0; i < k_numbers; ++i) normal.mean[i] += belief.proportions[p] * stretch.proportions[p][i];
-    }
-    const double wide = k_hand * hand.width;
-    Spread& c = normal.factor;
-    for (std::size_t i = 0; i < c.size(); ++i) c[i] = belief.doubt * belief.doubt * face.spread(s)[i];
-    for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] += wide * wide;
-    for (std::size_t p = 0; p < face.proportion_count(); ++p)
-      add_way(stretch.proportions[p], hand.proportion * belief.doubt, c);
-    for (const Trace& slide : slides_of(normal.mean, stretch)) add_way(slide, 1.0, c);
-    std::array<Trace, 4> moves{};
-    for (std::size_t i = 0; i < k_points; ++i) {
-      const double x = stretch.rest[2 * i] - centre.x, y = stretch.rest[2 * i + 1] - centre.y;
-      moves[0][2 * i] = moves[1][2 * i + 1] = k_shift;
-      moves[2][2 * i] = k_turn * x;
-      moves[2][2 * i + 1] = k_turn * y;
-      moves[3][2 * i] = -k_turn * y;
-      moves[3][2 * i + 1] = k_turn * x;
-    }
-    for (const Trace& move : moves) add_way(move, belief.doubt, c);
-    normal.middle = middle_of(normal.mean);
-    normal.near = inverse_spread_of_middle(c);
-    // Positive definite by what the hand strays.
-    if (!algebra::factor(c.data(), k_numbers)) normal.constant = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < k_numbers; ++i) normal.constant += base::log(c[i * k_numbers + i]);
-    if (!stretch.whole()) normal.constant += k_part_cost;
-    normals_.push_back(normal);
+  centre_ = centre_ * (1.0 / static_cast<double>(face.curve_count() * k_points));
+}
+
+std::array<Trace, 4> Likeness::moves_of(const Stretch& stretch) const {
+  std::array<Trace, 4> moves{};
+  for (std::size_t i = 0; i < k_points; ++i) {
+    const double x = stretch.rest[2 * i] - centre_.x, y = stretch.rest[2 * i + 1] - centre_.y;
+    moves[0][2 * i] = moves[1][2 * i + 1] = k_shift;
+    moves[2][2 * i] = k_turn * x;
+    moves[2][2 * i + 1] = k_turn * y;
+    moves[3][2 * i] = -k_turn * y;
+    moves[3][2 * i + 1] = k_turn * x;
   }
+  return moves;
+}
+
+const Likeness::Place& Likeness::place(std::size_t number) const {
+  auto& kept = places_[number];
+  if (kept) return *kept;
+  Place& out = kept.emplace();
+  const Stretch& stretch = face_.stretches()[number];
+  out.mean = stretch.rest;
+  for (std::size_t j = 0; j < belief_.shares.size(); ++j) {
+    if (belief_.shares[j] == 0.0) continue;
+    for (std::size_t i = 0; i < k_numbers; ++i) out.mean[i] += belief_.shares[j] * stretch.ways[j][i];
+  }
+  for (std::size_t p = 0; p < belief_.proportions.size(); ++p) {
+    for (std::size_t i = 0; i < k_numbers; ++i) out.mean[i] += belief_.proportions[p] * stretch.proportions[p][i];
+  }
+  const double wide = k_hand * hand_.width;
+  std::array<double, 3> spread = face_.spread_of_middle(number);
+  for (double& v : spread) v *= belief_.doubt * belief_.doubt;
+  spread[0] += wide * wide / static_cast<double>(k_points);
+  spread[2] += wide * wide / static_cast<double>(k_points);
+  for (const Trace& way : stretch.proportions) add_to_middle(way, hand_.proportion * belief_.doubt, spread);
+  for (const Trace& slide : slides_of(out.mean, stretch)) add_to_middle(slide, 1.0, spread);
+  for (const Trace& move : moves_of(stretch)) add_to_middle(move, belief_.doubt, spread);
+  out.middle = middle_of(out.mean);
+  out.near = inverse_of(spread);
+  return out;
+}
+
+const Likeness::Normal& Likeness::normal(std::size_t number) const {
+  auto& kept = normals_[number];
+  if (kept) return *kept;
+  const Stretch& stretch = face_.stretches()[number];
+  const Trace& mean = place(number).mean;
+  Normal& out = kept.emplace();
+  const double wide = k_hand * hand_.width;
+  Spread& c = out.factor;
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] = belief_.doubt * belief_.doubt * face_.spread(number)[i];
+  for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] += wide * wide;
+  for (const Trace& way : stretch.proportions) add_way(way, hand_.proportion * belief_.doubt, c);
+  for (const Trace& slide : slides_of(mean, stretch)) add_way(slide, 1.0, c);
+  for (const Trace& move : moves_of(stretch)) add_way(move, belief_.doubt, c);
+  // Positive definite by what the hand strays.
+  if (!algebra::factor(c.data(), k_numbers)) out.constant = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < k_numbers; ++i) out.constant += base::log(c[i * k_numbers + i]);
+  if (!stretch.whole()) out.constant += k_part_cost;
+  return out;
 }
 
 double Likeness::cost(const Trace& line, std::size_t stretch, double most) const {
-  const Normal& normal = normals_[stretch];
-  const double allowed = 2.0 * (most - normal.constant);
-  const PxPoint off = middle_of(line) - normal.middle;
-  const double least =
-      normal.near[0] * off.x * off.x + 2.0 * normal.near[1] * off.x * off.y + normal.near[2] * off.y * off.y;
+  const Place& at = place(stretch);
+  const PxPoint off = middle_of(line) - at.middle;
+  const double least = at.near[0] * off.x * off.x + 2.0 * at.near[1] * off.x * off.y + at.near[2] * off.y * off.y;
+  // The squares of the middle alone are no more than those of the whole, and the determinant is no less than what the
+  // hand strays.
+  const double least_constant = static_cast<double>(k_numbers) * base::log(k_hand * hand_.width);
+  if (least > 2.0 * (most - least_constant)) return std::numeric_limits<double>::infinity();
+  const Normal& about = normal(stretch);
+  const double allowed = 2.0 * (most - about.constant);
   if (least > allowed) return std::numeric_limits<double>::infinity();
   double sum = 0;
   Trace left{};
   for (std::size_t i = 0; i < k_numbers; ++i) {
-    const double* row = normal.factor.data() + i * k_numbers;
-    double v = line[i] - normal.mean[i];
+    const double* row = about.factor.data() + i * k_numbers;
+    double v = line[i] - at.mean[i];
     for (std::size_t k = 0; k < i; ++k) v -= row[k] * left[k];
     left[i] = v / row[i];
     sum += left[i] * left[i];
     if (sum > allowed) return std::numeric_limits<double>::infinity();
   }
-  return 0.5 * sum + normal.constant;
+  return 0.5 * sum + about.constant;
 }
 
 }  // namespace penpose::portrait

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,23 +34,37 @@ struct Belief {
 /// cost of a line.
 class Likeness {
  public:
-  Likeness(const FaceView& face, const Belief& belief, const Hand& hand);
+  /// `face` must outlive it. Distributions are made when they are asked for: most stretches are far from any line.
+  Likeness(const FaceView& face, Belief belief, const Hand& hand);
 
   /// Half of the Mahalanobis square and of the logarithm of the determinant, and what a part costs beyond a whole;
   /// infinite from `most` on. `line`: on the face.
   [[nodiscard]] double cost(const Trace& line, std::size_t stretch, double most) const;
   /// Where the stretch is believed to be.
-  [[nodiscard]] const Trace& mean(std::size_t stretch) const { return normals_[stretch].mean; }
+  [[nodiscard]] const Trace& mean(std::size_t stretch) const { return place(stretch).mean; }
 
  private:
-  struct Normal {
+  struct Place {
     Trace mean{};
-    Spread factor{};  ///< lower Cholesky factor of the covariance, by rows
     PxPoint middle{0, 0};
     std::array<double, 3> near{};  ///< inverse of the covariance of the middle: xx, xy, yy
+  };
+  struct Normal {
+    Spread factor{};  ///< lower Cholesky factor of the covariance, by rows
     double constant = 0;
   };
-  std::vector<Normal> normals_;
+  [[nodiscard]] const Place& place(std::size_t stretch) const;
+  [[nodiscard]] const Normal& normal(std::size_t stretch) const;
+  /// What a placement does to a stretch by its usual doubt.
+  [[nodiscard]] std::array<Trace, 4> moves_of(const Stretch& stretch) const;
+
+  const FaceView& face_;
+  Belief belief_;
+  Hand hand_;
+  PxPoint centre_{0, 0};
+  // Never change a result.
+  mutable std::vector<std::optional<Place>> places_;
+  mutable std::vector<std::optional<Normal>> normals_;
 };
 
 /// Returns the ways in which a line may slide along a stretch that lies at `mean`: at each end, and in three waves

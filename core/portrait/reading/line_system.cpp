@@ -53,23 +53,27 @@ void LineSystem::bend(std::span<const double> shares, std::span<const double> pr
   bent.insert(bent.end(), proportions.begin(), proportions.end());
   if (bent == bent_) return;
   bent_ = std::move(bent);
-  blocks_.assign(blocks_.size(), std::nullopt);
+  for (Block& one : blocks_) one.bent = false;
+}
+
+void LineSystem::slide(const Block& block, const double* column, double* out) const {
+  for (std::size_t s = 0; s < slides_; ++s)
+    out[s] = algebra::dot(block.slides.data() + s * k_numbers, column, k_numbers);
+  algebra::solve_forward(block.factor.data(), slides_, out);
 }
 
 std::vector<double> LineSystem::slid_of(const Block& block, const double* column) const {
   std::vector<double> out(slides_);
-  for (std::size_t s = 0; s < slides_; ++s)
-    out[s] = algebra::dot(block.slides.data() + s * k_numbers, column, k_numbers);
-  algebra::solve_forward(block.factor.data(), slides_, out.data());
+  slide(block, column, out.data());
   return out;
 }
 
 const LineSystem::Block& LineSystem::block(std::size_t number) {
   if (blocks_.size() < stretches_.size()) blocks_.resize(stretches_.size());
-  auto& kept = blocks_[number];
-  if (kept) return *kept;
-  kept.emplace();
-  Block& b = *kept;
+  Block& b = blocks_[number];
+  if (b.bent) return b;
+  b.bent = true;
+  b.nuisances.clear();
   const Stretch& stretch = stretches_[number];
   const double wide = width();
   Trace mean = stretch.rest;
@@ -80,6 +84,7 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   }
   const auto slides = slides_of(mean, stretch);
   slides_ = slides.size();
+  b.slides.clear();
   for (const Trace& slide : slides) {
     for (const double v : slide) b.slides.push_back(v / wide);
   }
@@ -95,19 +100,29 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   const auto add = [&](const Trace& column) {
     for (const double v : column) b.columns.push_back(v / wide);
   };
-  for (const Trace& way : stretch.ways) add(way);
-  for (std::size_t p = 0; p < proportions_; ++p) add(stretch.proportions[p]);
-  for (const Trace& way : placement_columns(mean)) add(way);
-  for (std::size_t c = 0; c < size_; ++c) {
-    const auto slid = slid_of(b, b.columns.data() + c * k_numbers);
-    b.slid.insert(b.slid.end(), slid.begin(), slid.end());
+  if (b.columns.empty()) {
+    for (const Trace& way : stretch.ways) add(way);
+    for (std::size_t p = 0; p < proportions_; ++p) add(stretch.proportions[p]);
   }
-  b.gram.assign(size_ * size_, 0.0);
-  for (std::size_t i = 0; i < size_; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) {
-      b.gram[i * size_ + k] = b.gram[k * size_ + i] =
-          algebra::dot(b.columns.data() + i * k_numbers, b.columns.data() + k * k_numbers, k_numbers) -
-          algebra::dot_in_order(b.slid.data() + i * slides_, b.slid.data() + k * slides_, slides_);
+  b.columns.resize((controls_ + proportions_) * k_numbers);
+  for (const Trace& way : placement_columns(mean)) add(way);
+  b.slid.resize(size_ * slides_);
+  for (std::size_t c = 0; c < size_; ++c) slide(b, b.columns.data() + c * k_numbers, b.slid.data() + c * slides_);
+  return b;
+}
+
+const LineSystem::Block& LineSystem::block_of_line(std::size_t number) {
+  static_cast<void>(block(number));
+  Block& b = blocks_[number];
+  if (!b.nuisances.empty()) return b;
+  const std::size_t n = proportions_ + k_place;
+  b.nuisances.resize(n * size_);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* const column = b.columns.data() + (controls_ + i) * k_numbers;
+    const double* const slid = b.slid.data() + (controls_ + i) * slides_;
+    for (std::size_t k = 0; k < size_; ++k) {
+      b.nuisances[i * size_ + k] = algebra::dot(column, b.columns.data() + k * k_numbers, k_numbers) -
+                                   algebra::dot_in_order(slid, b.slid.data() + k * slides_, slides_);
     }
   }
   return b;
@@ -126,7 +141,7 @@ Trace LineSystem::off(std::size_t line, std::size_t stretch, bool reversed) cons
   return out;
 }
 
-void LineSystem::hold_undrawn(std::span<const Label> labels, std::vector<double>& gram) {
+void LineSystem::hold_undrawn(std::span<const Label> labels, SquaresOfDoubt& squares) {
   // A mouth takes the jaw along, and one line of a part the others.
   std::vector<Part> goes;
   for (const Label& label : labels) {
@@ -138,18 +153,19 @@ void LineSystem::hold_undrawn(std::span<const Label> labels, std::vector<double>
     if (is_drawn(face_.part(c))) continue;
     const std::size_t whole = c * FaceView::stretches_per_curve();
     const Block& b = block(whole);
-    const double weight = width() * width() / (k_hold * k_hold);
-    for (std::size_t j = 0; j < controls_; ++j)
-      algebra::add_scaled(weight, b.gram.data() + j * size_, gram.data() + j * size_, controls_);
+    squares.parts.push_back({b.columns.data(), b.slid.data(), width() * width() / (k_hold * k_hold)});
   }
 }
 
 SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<const double> weights) {
-  std::vector<double> gram(size_ * size_, 0.0), rest(size_, 0.0);
+  // Nuisances: proportions, then the placement.
+  const std::size_t n = proportions_ + k_place;
+  std::vector<double> nuisances(n * size_, 0.0), rest(size_, 0.0);
   SquaresOfDoubt out;
   const auto add = [&](std::size_t line, std::size_t stretch, bool reversed, double weight) {
-    const Block& b = block(stretch);
-    algebra::add_scaled(weight, b.gram.data(), gram.data(), gram.size());
+    const Block& b = block_of_line(stretch);
+    out.parts.push_back({b.columns.data(), b.slid.data(), weight});
+    algebra::add_scaled(weight, b.nuisances.data(), nuisances.data(), nuisances.size());
     const Trace off = this->off(line, stretch, reversed);
     const auto slid = slid_of(b, off.data());
     for (std::size_t c = 0; c < size_; ++c) {
@@ -167,13 +183,12 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<cons
     add(i, label.stretch, label.reversed, twice ? 0.5 * weight : weight);
     if (twice) add(i, label.also, label.reversed, 0.5 * weight);
   }
-  if (hand_.over) hold_undrawn(labels, gram);
-  // Nuisances: proportions, then the placement.
-  const std::size_t n = proportions_ + k_place;
+  if (hand_.over) hold_undrawn(labels, out);
+  out.slides = slides_;
   factor_.assign(n * n, 0.0);
   cross_.assign(n * (controls_ + 1), 0.0);
   for (std::size_t i = 0; i < n; ++i) {
-    const double* row = gram.data() + (controls_ + i) * size_;
+    const double* row = nuisances.data() + i * size_;
     std::copy_n(row + controls_, i + 1, factor_.data() + i * n);
     const double usual = i < proportions_       ? hand_.proportion
                          : i < proportions_ + 2 ? k_scale_doubt * k_unit_px
@@ -191,21 +206,15 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<cons
     const double scale = factor_[i * n + i] > 0.0 ? 1.0 / factor_[i * n + i] : 0.0;
     for (std::size_t j = 0; j < width; ++j) row[j] *= scale;
   }
-  out.curvature.assign(controls_ * controls_, 0.0);
   out.pull.assign(controls_, 0.0);
-  for (std::size_t j = 0; j < controls_; ++j) {
-    std::copy_n(gram.data() + j * size_, controls_, out.curvature.data() + j * controls_);
-    out.pull[j] = -rest[j];
-  }
+  for (std::size_t j = 0; j < controls_; ++j) out.pull[j] = -rest[j];
   for (std::size_t i = 0; i < n; ++i) {
     const double* const row = cross_.data() + i * width;
-    for (std::size_t j = 0; j < controls_; ++j) {
-      if (row[j] == 0.0) continue;
-      algebra::add_scaled(-row[j], row, out.curvature.data() + j * controls_, controls_);
-      out.pull[j] += row[j] * row[controls_];
-    }
+    for (std::size_t j = 0; j < controls_; ++j) out.pull[j] += row[j] * row[controls_];
     out.constant -= row[controls_] * row[controls_];
   }
+  out.nuisances = cross_;
+  out.width = width;
   return out;
 }
 

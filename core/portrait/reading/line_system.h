@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -50,19 +50,24 @@ class LineSystem {
 
  private:
   struct Block {
-    std::vector<double> columns;  ///< rows of k_numbers: ways, proportions, placement
-    std::vector<double> slid;     ///< one a slide: what sliding takes of each column
-    std::vector<double> factor;   ///< of the slides' matrix
-    std::vector<double> slides;   ///< rows of k_numbers
-    std::vector<double> gram;
+    bool bent = false;              ///< all but the first columns is of bent_
+    std::vector<double> columns;    ///< rows of k_numbers: ways, proportions, placement
+    std::vector<double> slid;       ///< one a slide: what sliding takes of each column
+    std::vector<double> factor;     ///< of the slides' matrix
+    std::vector<double> slides;     ///< rows of k_numbers
+    std::vector<double> nuisances;  ///< rows of size_: products of proportions and placement with all columns
   };
   /// From a line, where the guess lays it, to its stretch at rest, over the width of doubt.
   [[nodiscard]] Trace off(std::size_t line, std::size_t stretch, bool reversed) const;
   /// Adds what it costs that controls move parts of the face of which nothing is drawn.
-  void hold_undrawn(std::span<const Label> labels, std::vector<double>& gram);
+  void hold_undrawn(std::span<const Label> labels, SquaresOfDoubt& squares);
   /// The width of doubt of a point, px of the face.
   [[nodiscard]] double width() const;
   const Block& block(std::size_t stretch);
+  /// The same with its nuisances.
+  const Block& block_of_line(std::size_t stretch);
+  /// What sliding takes of a column, one a slide.
+  void slide(const Block& block, const double* column, double* out) const;
   [[nodiscard]] std::vector<double> slid_of(const Block& block, const double* column) const;
 
   const FaceView& face_;
@@ -73,7 +78,7 @@ class LineSystem {
   Placement guess_;
   double doubt_ = 1;
   std::vector<double> bent_;  ///< shares, then proportions
-  std::vector<std::optional<Block>> blocks_;
+  std::deque<Block> blocks_;  ///< one a stretch
   // Of the last squares(): the factor of the nuisances' matrix, and its rows for all columns.
   std::vector<double> factor_, cross_;
 };

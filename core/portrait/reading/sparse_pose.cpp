@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/algebra/cholesky.h"
+#include "core/algebra/vectors.h"
 #include "core/base/math.h"
 
 namespace penpose::portrait {
@@ -19,6 +22,17 @@ constexpr std::size_t k_most_units = 14;
 constexpr double k_gain = 1e-9;
 
 }  // namespace
+
+double SquaresOfDoubt::curvature(std::size_t i, std::size_t j) const {
+  double sum = 0;
+  for (const Part& part : parts) {
+    sum += part.weight * (algebra::dot(part.columns + i * k_numbers, part.columns + j * k_numbers, k_numbers) -
+                          algebra::dot_in_order(part.slid + i * slides, part.slid + j * slides, slides));
+  }
+  for (const double* row = nuisances.data(); row != nuisances.data() + nuisances.size(); row += width)
+    sum -= row[i] * row[j];
+  return sum;
+}
 
 double SparseSolver::energy_of(double squares) {
   return k_sparse_reach * base::log(1.0 + std::max(0.0, squares) / k_sparse_reach);
@@ -84,7 +98,7 @@ SparseSolver::Trial SparseSolver::fit(std::vector<std::size_t> units) {
   return trial;
 }
 
-std::vector<std::size_t> SparseSolver::promising(const Trial& trial, std::size_t count) const {
+std::vector<std::size_t> SparseSolver::promising(const Trial& trial, std::size_t count) {
   struct Gain {
     double gain;
     std::size_t unit;
@@ -107,26 +121,30 @@ std::vector<std::size_t> SparseSolver::promising(const Trial& trial, std::size_t
 }
 
 void SparseSolver::set_up(const SquaresOfDoubt& squares, std::span<const std::size_t> only) {
-  const std::size_t controls = face_.controls().size();
   const auto units = face_.units();
+  squares_ = &squares;
   constant_ = squares.constant;
   pull_.resize(count_);
-  curvature_.resize(count_ * count_);
+  curvature_.assign(count_ * count_, std::numeric_limits<double>::quiet_NaN());
   for (const std::size_t a : only) {
     pull_[a] = 0;
     for (std::size_t m = 0; m < units[a].count; ++m) pull_[a] += squares.pull[units[a].members[m]];
-    for (const std::size_t b : only) {
-      if (b > a) continue;
-      double sum = 0;
-      for (std::size_t m = 0; m < units[a].count; ++m) {
-        for (std::size_t k = 0; k < units[b].count; ++k) {
-          const std::size_t i = units[a].members[m], j = units[b].members[k];
-          sum += squares.curvature[i * controls + j] + (i == j ? k_share : 0.0);
-        }
-      }
-      curvature_[a * count_ + b] = curvature_[b * count_ + a] = sum;
+  }
+}
+
+double SparseSolver::curvature(std::size_t a, std::size_t b) {
+  if (a < b) std::swap(a, b);
+  double& kept = curvature_[a * count_ + b];
+  if (!std::isnan(kept)) return kept;
+  const Unit &one = face_.units()[a], &other = face_.units()[b];
+  double sum = 0;
+  for (std::size_t m = 0; m < one.count; ++m) {
+    for (std::size_t k = 0; k < other.count; ++k) {
+      const std::size_t i = one.members[m], j = other.members[k];
+      sum += squares_->curvature(i, j) + (i == j ? k_share : 0.0);
     }
   }
+  return kept = sum;
 }
 
 double SparseSolver::energy_with(const SquaresOfDoubt& squares, std::span<const std::size_t> units) {

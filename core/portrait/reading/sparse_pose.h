@@ -9,11 +9,24 @@
 
 namespace penpose::portrait {
 
-/// E(w) = w'Aw - 2 b'w + c: squares of doubt that lines leave, of the shares of all controls.
+/// E(w) = w'Aw - 2 b'w + c: squares of doubt that lines leave, of the shares of all controls. Few numbers of A are ever
+/// asked for, so that each is made when it is. It reads what the LineSystem keeps until its next bend().
 struct SquaresOfDoubt {
-  std::vector<double> curvature;  ///< A by rows
+  /// What one line, or a curve that stays where it is, adds to A.
+  struct Part {
+    const double* columns;  ///< rows of k_numbers, one a control
+    const double* slid;     ///< rows of `slides`, one a control
+    double weight;
+  };
+  std::vector<Part> parts;
+  std::size_t slides = 0;
+  std::vector<double> nuisances;  ///< rows of `width` numbers, whose products are taken off A
+  std::size_t width = 0;          ///< controls, and the lines
   std::vector<double> pull;       ///< b
   double constant = 0;            ///< c
+
+  /// A number of A.
+  [[nodiscard]] double curvature(std::size_t i, std::size_t j) const;
 };
 
 /// Few controls that explain lines.
@@ -48,17 +61,19 @@ class SparseSolver {
     double squares = 0;
     double energy = 0;
   };
-  [[nodiscard]] double curvature(std::size_t a, std::size_t b) const { return curvature_[a * count_ + b]; }
+  /// Of two units; made once a set_up().
+  [[nodiscard]] double curvature(std::size_t a, std::size_t b);
   void set_up(const SquaresOfDoubt& squares, std::span<const std::size_t> only);
   [[nodiscard]] Trial fit(std::vector<std::size_t> units);
   /// Units that promise most beside a trial, the best first.
-  [[nodiscard]] std::vector<std::size_t> promising(const Trial& trial, std::size_t count) const;
+  [[nodiscard]] std::vector<std::size_t> promising(const Trial& trial, std::size_t count);
 
   const FaceView& face_;
   std::size_t count_ = 0;
-  std::vector<std::size_t> all_;            ///< 0, 1, 2, ... one a unit
-  std::vector<double> low_, high_, costs_;  ///< one a unit
-  std::vector<double> curvature_, pull_;    ///< of units
+  std::vector<std::size_t> all_;             ///< 0, 1, 2, ... one a unit
+  std::vector<double> low_, high_, costs_;   ///< one a unit
+  const SquaresOfDoubt* squares_ = nullptr;  ///< of the last set_up()
+  std::vector<double> curvature_, pull_;     ///< of units; not a number: not made yet
   double constant_ = 0;
 };
 

@@ -148,6 +148,8 @@ inline constexpr double k_corners_drop = 0.5 - k_upper_of_gap - k_corners_stay;
 inline constexpr double k_sketch_doubt = 0.025;
 /// The standard deviation of a hand that draws over a face, in distances of the eyes.
 inline constexpr double k_hand_over_face = 0.0086;
+/// The only line of a mouth over a face is one border of its opening if shut lips, which are both, cost so much more.
+inline constexpr double k_lone_border = 20;
 /// A drawing of at least this many lines shows a whole face.
 inline constexpr std::size_t k_whole_face = 6;
 /// Drawings whose lines cost more than this, on the mean, are no faces.

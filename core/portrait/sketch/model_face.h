@@ -29,6 +29,10 @@ class ModelFace {
 
   /// Returns the model's curve for a part of a drawing, if it has one. `lower` chooses the lower lid or lip.
   [[nodiscard]] std::optional<std::size_t> curve_of(FacePart part, bool right, bool lower) const;
+  /// Returns whether a curve is of the lips.
+  [[nodiscard]] bool is_lip(std::size_t curve) const {
+    return seen_[curve].feature == Feature::upper_lip || seen_[curve].feature == Feature::lower_lip;
+  }
   /// Returns the other border of the same lip, if the curve is a lip with two borders.
   [[nodiscard]] std::optional<std::size_t> other_border(std::size_t curve) const;
   /// Returns whether a place of the frame is below the line between the lips.

@@ -43,10 +43,7 @@ Thumbnails::Pixels picture_thumbnail(const std::string& path) {
 Thumbnails::Pixels model_thumbnail(const std::string& path) {
   const auto model = files::load_model(path, files::NamedBy::file);
   if (!model) return {};
-  const rig::Rig& rig = *model->rig;
-  std::vector<geometry::ModelPoint> posed(rig.vertex_count());
-  rig.evaluate(rig::rest_pose(rig), posed);
-  return surface_picture(posed, model->mesh->triangles(), picture_frames(*model).front(), Thumbnails::k_px);
+  return pose_pixels(*model, rig::rest_pose(*model->rig), picture_frames(*model).front(), Thumbnails::k_px);
 }
 
 }  // namespace

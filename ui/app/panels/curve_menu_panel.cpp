@@ -3,10 +3,12 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/face/feature_words.h"
+#include "ui/app/panels/face/face_readings_row.h"
 #include "ui/app/panels/face/menu_place.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/app/session/reading_offer.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // What can be done with a curve that was touched, beside it.
@@ -34,15 +36,20 @@ void show_feature_rows(PanelContext& context, PanelState& panels, const document
 
 /// What a line of the face may be.
 void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas& canvas, PanelState& panels,
-                    const document::FaceLine& line, PxPoint at) {
+                    ReadingOffer& offer, const document::FaceLine& line, PxPoint at) {
   const std::vector<std::string> names = names_of(editing.features());
   const document::CurveId id = line.id;
   const std::string feature = line.feature;
   const float width = 4.2F * context.unit;
   const double wide = 2 * static_cast<double>(width) + 3 * static_cast<double>(context.gap);
-  const std::size_t rows = (names.size() + 1) / 2 + 3;
+  const bool others = offer.open() && offer.face_line() == id;
+  const auto pictures = face_readings_size(context, offer, static_cast<float>(wide));
+  const double rows = static_cast<double>((names.size() + 1) / 2 + 3) +
+                      (others ? static_cast<double>(pictures.height / context.unit) : 0.0);
   std::optional<document::Command> chosen;
-  if (begin_panel(context, "line", menu_area(context, canvas, at, wide, static_cast<double>(rows)), true)) {
+  bool taken = false;
+  if (begin_panel(context, "line", menu_area(context, canvas, at, wide, rows), true)) {
+    if (others) taken = show_face_readings(context, editing, offer, pictures.picture);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (i % 2 == 1) ImGui::SameLine();
       const std::string label = feature_words(names[i]) + "##face";
@@ -60,18 +67,19 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
     show_feature_rows(context, panels, line, at, width, chosen);
   }
   end_panel();
-  if (!chosen) return;
-  editing.perform(*chosen);
-  panels.curve_menu.reset();
+  if (chosen) editing.perform(*chosen);
+  if (chosen || taken) panels.curve_menu.reset();
 }
 
 }  // namespace
 
 void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
-                     Controls& controls, PanelState& panels) {
+                     Controls& controls, ReadingOffer& offer, PanelState& panels) {
   const auto chosen = panels.curve_menu;
   if (const auto* line = chosen ? document::find_face_line(editing.document(), chosen->first) : nullptr) {
-    show_face_menu(context, editing, canvas, panels, *line, chosen->second);
+    // A copy: what is chosen changes the document.
+    const document::FaceLine shown = *line;
+    show_face_menu(context, editing, canvas, panels, offer, shown, chosen->second);
     return;
   }
   const auto* curve = chosen ? document::find_curve(editing.document(), chosen->first) : nullptr;

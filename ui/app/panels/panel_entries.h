@@ -71,7 +71,7 @@ struct TimelineShown {
 
 /// The row of other readings.
 struct ReadingsPlace {
-  std::optional<Area> area;          ///< nothing: none are offered
+  std::optional<Area> area;          ///< at the foot of the canvas; nothing: none is there
   std::optional<std::size_t> taken;  ///< the button that the pen pressed and is still over
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/document/commands/command_members.h"
-#include "core/document/drawing/pose_curve.h"
+#include "core/document/document.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/states.h"
 #include "ui/app/view/area.h"
@@ -36,6 +36,7 @@ struct PanelState {
   /// Names of lines of the face, and where they are: a touch opens what can be done with a line.
   std::vector<std::pair<document::CurveId, Area>> face_labels;
   std::optional<FeatureMenu> feature_menu;
+  bool face_pictures = false;  ///< other readings of a line of the face are offered
   /// Names of features and where they are, while the tool Feature is in hand: a touch opens the menu.
   std::vector<std::pair<std::string, Area>> feature_labels;
   States own;  ///< what each panel keeps for itself
@@ -67,8 +68,13 @@ struct PanelState {
     mouths_tab = !mouths_tab;
     controls_tab = poses_tab = false;
   }
+  /// The line of the face whose menu is open.
+  [[nodiscard]] std::optional<document::CurveId> face_line_asked(const document::Document& document) const {
+    if (!curve_menu || document::find_face_line(document, curve_menu->first) == nullptr) return std::nullopt;
+    return curve_menu->first;
+  }
   /// Something with pictures of poses is shown.
-  [[nodiscard]] bool pictured() const { return poses_tab || mouths_tab; }
+  [[nodiscard]] bool pictured() const { return poses_tab || mouths_tab || face_pictures; }
 };
 
 }  // namespace penpose::app

@@ -8,6 +8,7 @@
 
 #include "core/document/drawing/moment.h"
 #include "core/document/drawing/pose_problem.h"
+#include "ui/app/face/feature_words.h"
 
 namespace penpose::app {
 namespace {
@@ -86,35 +87,65 @@ std::vector<std::string> words_of_readings(const document::Document& document, W
   return out;
 }
 
-void ReadingOffer::follow(EditingSession& editing, bool quiet) {
-  const bool now = !quiet && editing.last_stroke().is_newest() && !editing.pen_is_drawing();
-  if (!now) {
-    show(editing, std::nullopt);
-    words_.clear();
-    revision_.reset();
-    return;
-  }
-  if (revision_ == editing.revision()) return;
+void ReadingOffer::close(EditingSession& editing) {
   show(editing, std::nullopt);
-  revision_ = editing.revision();
+  readings_.clear();
+  face_.forget();
+  looked_ = false;
+}
+
+void ReadingOffer::follow(EditingSession& editing, bool quiet, std::optional<document::CurveId> asked) {
+  const bool stepped = revision_ != editing.revision();
+  if (stepped) {
+    revision_ = editing.revision();
+    drawn_ = newest_.look_at(editing);
+  }
+  if (quiet || editing.pen_is_drawing()) return close(editing);
+  if (asked || drawn_) return look_at_face(editing, asked ? *asked : *drawn_);
+  if (!editing.last_stroke().is_newest()) return close(editing);
+  if (looked_ && !stepped && !face_.line()) return;
+  close(editing);
+  looked_ = true;
+  look_at_target(editing);
+}
+
+void ReadingOffer::look_at_target(EditingSession& editing) {
   const document::Document& document = editing.document();
-  words_ = words_of_readings(document, editing.words());
-  percents_.clear();
-  for (std::size_t i = 0; i < words_.size(); ++i)
-    percents_.push_back(static_cast<int>(std::lround(100.0 * document.moment->others[i].probability)));
+  std::vector<std::string> words = words_of_readings(document, editing.words());
   nothing_moved_ = editing.last_stroke().movements().empty();
   // A line that lies where its curve is asks for nothing.
-  if (nothing_moved_ && editing.last_stroke().within_hand(document, editing.editor().view().viewport)) words_.clear();
+  if (nothing_moved_ && editing.last_stroke().within_hand(document, editing.editor().view().viewport)) return;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const document::Moment::Other& other = document.moment->others[i];
+    readings_.push_back({std::move(words[i]), static_cast<int>(std::lround(100.0 * other.probability)),
+                         document::pose_of_reading(document, i),
+                         document::TakeReading{document.moment->lines.back().curve, static_cast<std::uint32_t>(i)}});
+  }
+}
+
+void ReadingOffer::look_at_face(EditingSession& editing, document::CurveId line) {
+  const document::FaceLine* drawn = document::find_face_line(editing.document(), line);
+  if (drawn == nullptr) return close(editing);
+  const bool anew = face_.line() != line || !face_.is_of(editing.revision());
+  if (anew) close(editing);
+  nothing_moved_ = drawn->feature.empty();
+  const std::size_t known = readings_.size();
+  face_.follow(editing, line);
+  if (face_.found().size() == known) return;
+  readings_.clear();
+  for (const FaceReading& one : face_.found())
+    readings_.push_back({feature_words(one.feature), std::nullopt, one.pose,
+                         document::NameFaceLine{line, one.feature, false}, one.feature});
 }
 
 void ReadingOffer::show(EditingSession& editing, std::optional<std::size_t> which) {
-  if (which && *which >= words_.size()) which.reset();
+  if (which && *which >= readings_.size()) which.reset();
   if (which == shown_) return;
   // What a slider or the timeline shows meanwhile stays.
   const bool ours = shown_ && editing.shown().previews() && editing.shown().pose() == shown_pose_;
   shown_ = which;
   if (which) {
-    shown_pose_ = document::pose_of_reading(editing.document(), *which);
+    shown_pose_ = readings_[*which].pose;
     editing.shown().preview(shown_pose_);
   } else if (ours) {
     editing.shown().preview(std::nullopt);
@@ -122,10 +153,10 @@ void ReadingOffer::show(EditingSession& editing, std::optional<std::size_t> whic
 }
 
 void ReadingOffer::take(EditingSession& editing, std::size_t which) {
-  if (which >= words_.size()) return;
+  if (which >= readings_.size()) return;
   show(editing, std::nullopt);
-  const document::CurveId curve = editing.document().moment->lines.back().curve;
-  editing.perform(document::TakeReading{curve, static_cast<std::uint32_t>(which)});
+  const document::Command command = readings_[which].command;
+  editing.perform(command);
 }
 
 }  // namespace penpose::app

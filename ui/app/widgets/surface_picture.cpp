@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/math.h"
+
 namespace penpose::app {
 namespace {
 
@@ -67,7 +69,16 @@ std::vector<std::uint8_t> pose_pixels(const document::Model& model, const rig::P
                                       int px) {
   std::vector<ModelPoint> posed(model.rig->vertex_count());
   model.rig->evaluate(pose, posed);
-  return surface_picture(posed, model.mesh->triangles(), frame, px);
+  PictureFrame seen = frame;
+  if (model.front_yaw_degrees != 0) {
+    // The model's own front faces the eye.
+    const double yaw = base::radians(model.front_yaw_degrees);
+    const double c = base::cos(yaw), s = base::sin(yaw);
+    const auto turned = [&](const ModelPoint& p) { return ModelPoint{c * p.x - s * p.z, p.y, s * p.x + c * p.z}; };
+    for (ModelPoint& p : posed) p = turned(p);
+    seen.middle = turned(frame.middle);
+  }
+  return surface_picture(posed, model.mesh->triangles(), seen, px);
 }
 
 }  // namespace penpose::app

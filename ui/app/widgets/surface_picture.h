@@ -14,7 +14,7 @@ namespace penpose::app {
                                                         std::span<const mesh::Triangle> triangles,
                                                         const PictureFrame& frame, int px);
 
-/// The same of a pose.
+/// The same of a pose, from the model's own front.
 [[nodiscard]] std::vector<std::uint8_t> pose_pixels(const document::Model& model, const rig::Pose& pose,
                                                     const PictureFrame& frame, int px);
 

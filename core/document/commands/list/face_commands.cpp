@@ -17,6 +17,38 @@ bool goes_on(const Document& document, const View& view) {
   return document.face && document.face->time_s == document.time_s && same_side(document.face->view, view);
 }
 
+/// Whether a line runs along an older one again: most of the older one lies beside it, and not beyond its ends.
+bool runs_again(const FaceLine& older, const FaceLine& newer) {
+  constexpr double k_most = 0.5;
+  const auto& along = newer.line;
+  double beside = 0;
+  for (const PxPoint& p : older.line) {
+    const auto nearest = std::min_element(along.begin(), along.end(), [&](const PxPoint& a, const PxPoint& b) {
+      return geometry::distance(a, p) < geometry::distance(b, p);
+    });
+    if (nearest != along.begin() && nearest != along.end() - 1) beside += 1;
+  }
+  return beside > k_most * static_cast<double>(older.line.size());
+}
+
+/// The document with a line more, which takes the place of one of the same feature that it runs along again.
+Changed with_line(const Document& document, FaceDrawing drawing, Parts& work) {
+  auto changed = with_face_read(document, drawing, work);
+  if (!changed || !changed->face) return changed;
+  const std::vector<FaceLine>& read = changed->face->lines;
+  const FaceLine& last = read.back();
+  std::vector<CurveId> replaced;
+  for (const FaceLine& one : read) {
+    if (one.id != last.id && !last.feature.empty() && one.feature == last.feature && runs_again(one, last))
+      replaced.push_back(one.id);
+  }
+  if (replaced.empty()) return changed;
+  std::erase_if(drawing.lines, [&](const FaceLine& one) {
+    return std::find(replaced.begin(), replaced.end(), one.id) != replaced.end();
+  });
+  return with_face_read(document, std::move(drawing), work);
+}
+
 }  // namespace
 
 Changed with_face_read(const Document& document, FaceDrawing drawing, Parts& work) {
@@ -72,7 +104,7 @@ Changed run(const Document& document, const DrawFaceLine& command, Parts& work) 
     return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
   Document changed = document;
   drawing.lines.push_back({CurveId{++changed.last_curve}, *even, std::nullopt, {}});
-  return with_face_read(changed, std::move(drawing), work);
+  return with_line(changed, std::move(drawing), work);
 }
 
 Changed run(const Document& document, const NameFaceLine& command, Parts& work) {

@@ -13,7 +13,8 @@ namespace penpose::document {
 /// Draws a line of the face as it should be. All lines of the drawing are read together: what each is, and which pose
 /// they ask for. A line in a view of another side, at another time, or after the last drawing was kept as neutral
 /// begins a new drawing; what was drawn before goes. On a model without features the line is a reference, or the target
-/// of one that waits. Errors: too many lines, a line without length; those of FaceReader.
+/// of one that waits. A line that is read as the feature of an older one, and runs along it again, takes its place.
+/// Errors: too many lines, a line without length; those of FaceReader.
 using DrawFaceLine = Plain<DrawnLine, "draw_face_line", "Draw a line of the face">;
 Changed run(const Document&, const DrawFaceLine&, ApplyParts&);
 

@@ -95,5 +95,38 @@ TEST(PoseOverFace, LinesWithoutALabelOrAFeatureMoveNothing) {
   EXPECT_EQ(head.over({"jaw"}, head.rest, none), head.rest);
 }
 
+TEST(PoseOverFace, OneLineAlongShutLipsMovesBoth) {
+  const Head head;
+  rig::Pose smile = head.rest;
+  smile[head.control("mouth_corner_L")] = smile[head.control("mouth_corner_R")] = 0.7;
+  for (const char* taken_for : {"lip_lower_inner", "lip_upper_inner"}) {
+    std::vector<LineRead> labels{labelled(head.curve(taken_for))};
+    const rig::Pose found = head.over({"lip_upper_inner"}, smile, labels);
+    EXPECT_EQ(labels[0].curve, head.curve("lip_upper_inner")) << taken_for;
+    EXPECT_NEAR(found[head.control("mouth_corner_L")], 0.7, 0.15) << taken_for;
+    EXPECT_NEAR(found[head.control("mouth_corner_R")], 0.7, 0.15) << taken_for;
+  }
+}
+
+TEST(PoseOverFace, ALowerLipDrawnFarDownIsNoShutMouth) {
+  const Head head;
+  rig::Pose open = head.rest;
+  open[head.control("jaw")] = 0.8;
+  std::vector<LineRead> labels{labelled(head.curve("lip_lower_inner"))};
+  const rig::Pose found = head.over({"lip_lower_inner"}, open, labels);
+  EXPECT_EQ(labels[0].curve, head.curve("lip_lower_inner"));
+  EXPECT_GT(found[head.control("jaw")], 0.5);
+}
+
+TEST(PoseOverFace, ALineThatABrowMeetsIsNoLid) {
+  const Head head;
+  rig::Pose raised = head.rest;
+  raised[head.control("brow_inner_L")] = raised[head.control("brow_outer_L")] = 0.8;
+  std::vector<LineRead> labels{labelled(head.curve("eyelid_upper_L"))};
+  const rig::Pose found = head.over({"brow_L"}, raised, labels);
+  EXPECT_EQ(labels[0].curve, head.curve("brow_L"));
+  EXPECT_GT(found[head.control("brow_inner_L")], 0.4);
+}
+
 }  // namespace
 }  // namespace penpose::portrait

@@ -115,7 +115,7 @@ TEST(Readings, KeysTakeTheSecondAndTheThird) {
   desk.press('y');
   EXPECT_EQ(editing_of(desk).steps().list().size(), 0U) << "there is nothing to take";
   draw_mouth(desk, -10, 0);
-  ASSERT_GE(offer_of(desk).words().size(), 2U);
+  ASSERT_GE(offer_of(desk).readings().size(), 2U);
   const auto others = desk.document().moment->others;
   desk.press('y', false, true);
   EXPECT_EQ(desk.document().pose, others[1].pose);

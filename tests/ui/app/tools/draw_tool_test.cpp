@@ -4,6 +4,8 @@
 #include "core/rig/rig.h"
 #include "tests/support/app_desk.h"
 #include "ui/app/face/feature_words.h"
+#include "ui/app/panels/panel_state.h"
+#include "ui/app/session/reading_offer.h"
 
 // The tool Draw: a face drawn over the built-in head, with names beside its lines.
 
@@ -76,6 +78,62 @@ TEST(DrawTool, ATouchOfItsNameChangesWhatALineIs) {
   ASSERT_TRUE(desk.click("line 1"));
   ASSERT_TRUE(desk.click("Delete##face"));
   EXPECT_EQ(desk.document().face, nullptr);
+}
+
+/// A line between the lips, a little lower in the middle.
+void draw_mouth(Desk& desk) {
+  desk.begin();
+  desk.click("Draw");
+  auto line = desk.named_curve("lip_upper_inner");
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double t = 2.0 * static_cast<double>(i) / static_cast<double>(line.size() - 1) - 1.0;
+    line[i].y += 10.0 * (1.0 - t * t);
+  }
+  desk.stroke(line);
+  desk.frames(30);
+}
+
+TEST(DrawTool, OtherFeaturesOfALineAreOfferedAsFacesAndTakenAtATouch) {
+  Desk desk("draw-meant");
+  draw_mouth(desk);
+  const ReadingOffer& offer = desk.app->of<ReadingOffer>();
+  ASSERT_TRUE(offer.open());
+  ASSERT_NE(desk.interface->find("reading 1"), nullptr);
+  EXPECT_LE(offer.readings().size(), FaceReadings::k_most);
+  const document::FaceLine before = desk.document().face->lines.front();
+  const OfferedReading first = offer.readings().front();
+  EXPECT_NE(first.words, feature_words(before.feature));
+  const rig::Pose pose = desk.document().pose;
+  const Area picture = *desk.interface->find("reading 1");
+  EXPECT_GT(picture.height(), picture.width()) << "a square picture with its name below";
+  desk.app->of<Pointer>().moved(picture.middle());
+  desk.frames();
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), static_cast<const rig::Pose&>(first.pose));
+  EXPECT_EQ(desk.document().pose, pose) << "it is only shown";
+  desk.click("reading 1");
+  EXPECT_EQ(desk.document().pose, static_cast<const rig::Pose&>(first.pose));
+  EXPECT_EQ(feature_words(desk.document().face->lines.front().feature), first.words);
+  desk.press('z', true);
+  EXPECT_EQ(desk.document().pose, pose);
+  desk.frames(10);
+  EXPECT_FALSE(offer.open()) << "what is undone asks no question";
+}
+
+TEST(DrawTool, TheMenuOfAnOlderLineOffersItsOwnFaces) {
+  Desk desk("draw-meant-older");
+  draw_mouth(desk);
+  desk.stroke(desk.named_curve("brow_L", {0, -14}));
+  desk.frames(30);
+  ASSERT_TRUE(desk.click("line 1"));
+  desk.frames(30);
+  const ReadingOffer& offer = desk.app->of<ReadingOffer>();
+  ASSERT_TRUE(offer.open());
+  EXPECT_EQ(offer.face_line(), desk.document().face->lines[0].id);
+  const std::string words = offer.readings().front().words;
+  ASSERT_TRUE(desk.click("reading 1"));
+  EXPECT_EQ(feature_words(desk.document().face->lines[0].feature), words);
+  EXPECT_EQ(desk.document().face->lines[1].feature, "brow_L");
+  EXPECT_FALSE(desk.app->of<PanelState>().curve_menu) << "the menu closes";
 }
 
 TEST(DrawTool, ALineMayBeginOnTheNameOfAnother) {

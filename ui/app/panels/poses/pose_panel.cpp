@@ -11,7 +11,7 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/session/pose_library.h"
 #include "ui/app/widgets/internal/icon.h"
-#include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/internal/picture_tile.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -52,26 +52,9 @@ void show_picture(PanelContext& context, const PosePanelOwners& with, const docu
   const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
   const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
-  const float line = ImGui::GetFontSize() + context.gap;
-  const ImVec2 size{width, width + line};
-  ImGui::PushID(label.c_str());
-  const bool pressed = ImGui::InvisibleButton("##pose", size);
-  ImGui::PopID();
-  note(context, label.c_str());
-  const ImVec2 from = ImGui::GetItemRectMin();
-  const ImVec2 to = ImGui::GetItemRectMax();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
-                     5);
-  if (const auto place = context.pictures.place_of(with.editing.document(), key, choice.part)) {
-    list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
-                         place->first, place->second, IM_COL32_WHITE, 4);
-  }
-  const std::string shown = fitted_text(label.substr(0, label.find("##")), width - 2 * context.gap);
-  const float wide = ImGui::CalcTextSize(shown.c_str()).x;
-  list.AddText({0.5F * (from.x + to.x - wide), from.y + width + 0.25F * context.gap}, ImGui::GetColorU32(ImGuiCol_Text),
-               shown.c_str());
-  if (chosen) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  const PictureTile tile{width, context.pictures.place_of(with.editing.document(), key, choice.part),
+                         label.substr(0, label.find("##")), chosen};
+  const bool pressed = picture_tile(context, label.c_str(), tile);
   tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
   if (!pressed) return;
   choice.time_s = key.time_s;

@@ -107,6 +107,26 @@ TEST(FaceCommands, ALineOfOneSideLeavesTheOtherSideAlone) {
   for (const char* name : {"brow_inner_L", "brow_outer_L"}) EXPECT_EQ(hand.value(name), 0.0) << name;
 }
 
+TEST(FaceCommands, ALineThatIsDrawnAgainTakesThePlaceOfTheFirst) {
+  FaceHand hand;
+  hand.draws("brow_R", {{"brow_inner_R", 0.9}, {"brow_outer_R", 0.9}});
+  hand.draws("lip_upper_inner", k_smile);
+  hand.draws("brow_R", {{"brow_inner_R", -0.5}, {"brow_outer_R", -0.5}});
+  ASSERT_EQ(hand.document().face->lines.size(), 2U);
+  EXPECT_EQ(hand.last().feature, "brow_R");
+  EXPECT_LT(hand.value("brow_inner_R"), -0.2);
+  EXPECT_NEAR(hand.value("mouth_corner_L"), 0.8, 0.3) << "the mouth stays";
+}
+
+TEST(FaceCommands, TheOtherHalfOfALineGoesOnWithIt) {
+  FaceHand hand;
+  const auto brow = hand.curve("brow_R", {{"brow_inner_R", 0.9}, {"brow_outer_R", 0.9}});
+  const auto middle = brow.begin() + static_cast<std::ptrdiff_t>(brow.size() / 2);
+  hand.does(DrawFaceLine{{hand.view, {brow.begin(), middle + 1}}});
+  hand.does(DrawFaceLine{{hand.view, {middle, brow.end()}}});
+  EXPECT_EQ(hand.document().face->lines.size(), 2U);
+}
+
 TEST(FaceCommands, ALineIsWhatTheArtistSaysItIs) {
   FaceHand hand;
   hand.draws("lip_upper", k_smile);
