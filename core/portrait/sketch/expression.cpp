@@ -75,9 +75,8 @@ std::array<std::optional<double>, 2> closed_of(const FaceMeasures& drawn, const 
     const auto& other = drawn.eyes[1 - side];
     if (is_line(one) && !is_line(other)) {
       out[side] = 1;
-      const double lowered = is_open(other) ? lowered_by_arch(other->arched) : 0;
-      const bool winks = !is_open(other) || (other->opening >= k_half_open && lowered == 0);
-      out[1 - side] = winks ? std::min(*out[1 - side], 0.0) : std::max(*out[1 - side], lowered);
+      const bool winks = !is_open(other) || other->opening >= k_half_open;
+      out[1 - side] = winks ? std::min(*out[1 - side], 0.0) : std::max(*out[1 - side], lowered_by_arch(other->arched));
     }
     if (is_open(one) && is_open(other)) {
       const double own = one->opening * one->width;
@@ -143,6 +142,7 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   // One corner is raised or lowered alone, but seldom one against the other.
   if (out.corners[0] * out.corners[1] < 0) {
     const std::size_t lesser = std::abs(out.corners[0]) < std::abs(out.corners[1]) ? 0 : 1;
+    out.corners[1 - lesser] = std::clamp(out.corners[1 - lesser] - out.corners[lesser], -k_most_corner, k_most_corner);
     out.corners[lesser] = 0;
   }
   // Corners that go up go outwards.

@@ -142,6 +142,8 @@ inline constexpr double k_tilt_pivot = 0.75;
 /// opens stay above the middle of its lips by the second share, and the mouth narrows by the third one: the medians of
 /// controls of ten rigs.
 inline constexpr double k_upper_of_gap = 0.1, k_corners_stay = 0.2, k_open_narrows = 0.15;
+/// The least weight of a point of lips that open, which at the middle is one more.
+inline constexpr double k_least_weight = 0.02;
 /// So the corners drop by this share.
 inline constexpr double k_corners_drop = 0.5 - k_upper_of_gap - k_corners_stay;
 /// The standard deviation between a sketch and what it means, in distances of the eyes.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/portrait/proportions.h"
 #include "core/portrait/sketch/habits.h"
@@ -42,6 +43,12 @@ double height_at(const std::vector<PxPoint>& line, double x) {
     if (std::abs(p.x - x) < std::abs(best->x - x)) best = &p;
   }
   return best->y;
+}
+
+void make_mean_one(std::vector<double>& weights) {
+  double sum = 0;
+  for (const double w : weights) sum += w;
+  for (double& w : weights) w *= static_cast<double>(weights.size()) / sum;
 }
 
 bool has_word(const std::string& name, const char* word) {
@@ -156,6 +163,7 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
     const Seen& one = seen_[c];
     const std::size_t side = one.right ? 1 : 0;
     std::vector<PxPoint> target = one.points;
+    std::vector<double> weights;
     const Ends ends = ends_of(one.points);
     switch (one.feature) {
       case Feature::brow: {
@@ -177,6 +185,8 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
       case Feature::upper_lip:
       case Feature::lower_lip: {
         if (!expression.mouth) continue;
+        const bool opens_alone = expression.mouth->opened > 0 && expression.mouth->widened == 0 &&
+                                 expression.mouth->corners == std::array<double, 2>{0, 0};
         const double w = mouth.width();
         const double share = one.feature == Feature::upper_lip ? -k_upper_of_gap : 1 - k_upper_of_gap;
         for (PxPoint& p : target) {
@@ -186,6 +196,8 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
           p.y += (share * opened * (1 - t * t) + k_corners_drop * opened * t * t - corner * t * t) * w;
           if (one.feature == Feature::upper_lip) p.y -= expression.mouth->sneered * (1 - t * t) * w;
           p.x += 0.5 * w * t * (expression.mouth->widened - k_open_narrows * opened);
+          // Where a jaw takes the corners is its own affair.
+          if (opens_alone) weights.push_back(k_least_weight + (1 - t * t));
         }
         break;
       }
@@ -194,7 +206,8 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
       case Feature::other:
         continue;
     }
-    intent::DrawnCurve line{curves_[c].points, camera_, {}, 0, {}};
+    make_mean_one(weights);
+    intent::DrawnCurve line{curves_[c].points, camera_, {}, 0, std::move(weights)};
     for (const PxPoint& p : target) line.target.push_back(layout_.on_sheet(p));
     double doubt = k_sketch_doubt;
     // What is meant for a small mouth is drawn on one of usual size, and shrinks with it.

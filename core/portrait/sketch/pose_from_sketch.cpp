@@ -1,6 +1,8 @@
 #include "core/portrait/sketch/pose_from_sketch.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/intent/solve.h"
 #include "core/portrait/sketch/habits.h"
@@ -42,15 +44,26 @@ std::vector<Expression> parts_of(const Expression& whole) {
     parts[2].mouth->sneered = 0;
     parts.back().mouth->sneered = whole.mouth->sneered;
   }
-  // A mouth that smiles or narrows and opens does two things.
-  const bool smiles = whole.mouth && (whole.mouth->corners[0] > 0 || whole.mouth->corners[1] > 0);
-  const bool narrows = whole.mouth && whole.mouth->widened < 0;
-  if ((smiles || narrows) && whole.mouth->opened > 0) {
-    parts.push_back(rest);
-    parts[2].mouth->opened = 0;
-    parts.back().mouth->opened = whole.mouth->opened;
-  }
   return parts;
+}
+
+/// Splits a mouth that takes a form and opens into the two.
+std::vector<Expression> form_and_opening(const Expression& whole) {
+  std::vector<Expression> parts(2, whole);
+  parts[0].mouth->opened = 0;
+  parts[1].mouth = Expression::Mouth{};
+  parts[1].mouth->opened = whole.mouth->opened;
+  return parts;
+}
+
+/// Returns by how much the mouth of a pose differs from what was drawn, in widths of the mouth.
+double mouth_off(const ModelFace& rest, const std::optional<ModelFace>& posed, const Expression::Mouth& drawn) {
+  constexpr double k_no_doubt = 1e-3;
+  if (!posed) return 1e300;
+  const Expression shown = expression_of(posed->measures(), RestingFace{rest.measures(), k_no_doubt});
+  if (!shown.mouth) return 1e300;
+  return std::abs(shown.mouth->corners[0] - drawn.corners[0]) + std::abs(shown.mouth->corners[1] - drawn.corners[1]) +
+         std::abs(shown.mouth->widened - drawn.widened) + std::abs(shown.mouth->opened - drawn.opened);
 }
 
 /// Returns the similarity that lays the eyes of a drawing on those of the model.
@@ -85,8 +98,8 @@ base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, 
   intent::SolveWorkspace work;
   intent::SolveOptions options;
   options.weights = &inference::learned_weights();
-  for (const Expression& part : parts_of(expression)) {
-    if (part.rests()) continue;
+  const auto add = [&](const Expression& part, rig::Pose& pose) -> base::Status {
+    if (part.rests()) return base::Done{};
     intent::IntentProblem problem;
     problem.drawn = face->lines_of(part);
     problem.free.assign(free.begin(), free.end());
@@ -94,8 +107,26 @@ base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, 
     const auto solution = intent::solve(rig, whole, problem, options, work);
     if (!solution) return solution.error();
     for (const std::size_t p : solution->moved)
-      out.pose[p] =
-          std::clamp(out.pose[p] + solution->pose[p] - start[p], parameters[p].minimum, parameters[p].maximum);
+      pose[p] = std::clamp(pose[p] + solution->pose[p] - start[p], parameters[p].minimum, parameters[p].maximum);
+    return base::Done{};
+  };
+  for (const Expression& part : parts_of(expression)) {
+    if (!part.mouth || !(part.mouth->opened > 0)) {
+      if (auto status = add(part, out.pose); !status) return status.error();
+      continue;
+    }
+    // Whether a rig has one control for both, or one for each, its face tells.
+    std::array<rig::Pose, 2> poses{start, start};
+    if (auto status = add(part, poses[0]); !status) return status.error();
+    for (const Expression& one : form_and_opening(part)) {
+      if (auto status = add(one, poses[1]); !status) return status.error();
+    }
+    std::array<double, 2> off{};
+    for (std::size_t i = 0; i < 2; ++i)
+      off[i] = mouth_off(*face, ModelFace::see(rig, curves, poses[i], camera), *part.mouth);
+    const rig::Pose& better = poses[off[1] < off[0] ? 1 : 0];
+    for (std::size_t p = 0; p < better.size(); ++p)
+      out.pose[p] = std::clamp(out.pose[p] + better[p] - start[p], parameters[p].minimum, parameters[p].maximum);
   }
   out.layout = std::move(*layout);
   return std::optional<SketchedPose>(std::move(out));

@@ -16,7 +16,7 @@ struct SketchedPose {
   rig::Pose pose;
   std::vector<LineRead> lines;  ///< one a line
   FaceLayout layout;
-  Placement sheet;  ///< where the drawing lies in the camera's picture
+  Placement sheet;     ///< where the drawing lies in the camera's picture
   bool rests = false;  ///< it shows no expression
 };
 
