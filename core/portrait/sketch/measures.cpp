@@ -32,11 +32,13 @@ Extent extent_of(const Marks& marks) {
   return e;
 }
 
-/// Adds the heights at which a mark crosses the upright line at x.
+/// Adds the heights at which a mark crosses the upright line at x. One that is closed runs on from its end to its
+/// start.
 void add_crossings(const FaceMark& mark, double x, std::vector<double>& out) {
-  for (std::size_t i = 0; i + 1 < mark.points.size(); ++i) {
+  const std::size_t n = mark.points.size();
+  for (std::size_t i = 0; i + (mark.closed ? 0 : 1) < n; ++i) {
     const PxPoint& a = mark.points[i];
-    const PxPoint& b = mark.points[i + 1];
+    const PxPoint& b = mark.points[(i + 1) % n];
     if ((a.x <= x) == (b.x <= x)) continue;
     out.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
   }
