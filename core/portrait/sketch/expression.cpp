@@ -142,7 +142,6 @@ Expression::Mouth mouth_of(const MouthMeasure& drawn, const std::optional<Restin
   // One corner is raised or lowered alone, but seldom one against the other.
   if (out.corners[0] * out.corners[1] < 0) {
     const std::size_t lesser = std::abs(out.corners[0]) < std::abs(out.corners[1]) ? 0 : 1;
-    out.corners[1 - lesser] = std::clamp(out.corners[1 - lesser] - out.corners[lesser], -k_most_corner, k_most_corner);
     out.corners[lesser] = 0;
   }
   // Corners that go up go outwards.
