@@ -28,7 +28,7 @@ constexpr double k_second = 0.6, k_second_alike = 0.7;
 constexpr double k_closes = 0.55;
 /// A half of the lids that goes this many times as far as the other is meant.
 constexpr double k_half = 1.7;
-/// If several controls would be called the same, the size of their effect counts this much beside their likeness.
+/// Weighs the size of an effect against its likeness where several controls would get the same name.
 constexpr double k_by_amount = 0.2;
 /// What does less than this share of what another one of the same words does, does it a little.
 constexpr double k_little = 0.6;

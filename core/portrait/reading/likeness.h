@@ -55,7 +55,7 @@ class Likeness {
   };
   [[nodiscard]] const Place& place(std::size_t stretch) const;
   [[nodiscard]] const Normal& normal(std::size_t stretch) const;
-  /// What a placement does to a stretch by its usual doubt.
+  /// Holds how far a stretch moves when the placement changes by its usual doubt.
   [[nodiscard]] std::array<Trace, 4> moves_of(const Stretch& stretch) const;
 
   const FaceView& face_;

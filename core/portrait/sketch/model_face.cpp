@@ -210,7 +210,7 @@ std::vector<intent::DrawnCurve> ModelFace::lines_of(const Expression& expression
     intent::DrawnCurve line{curves_[c].points, camera_, {}, 0, std::move(weights)};
     for (const PxPoint& p : target) line.target.push_back(layout_.on_sheet(p));
     double doubt = k_sketch_doubt;
-    // What is meant for a small mouth is drawn on one of usual size, and shrinks with it.
+    // People draw mouths of usual size: on a small mouth the line and its doubt shrink alike.
     if (one.feature == Feature::upper_lip || one.feature == Feature::lower_lip)
       doubt *= std::min(1.0, mouth.width() / k_mouth_width.mean);
     line.doubt_px = std::max(0.1, doubt * std::sqrt(geometry::dot(layout_.along, layout_.along)));

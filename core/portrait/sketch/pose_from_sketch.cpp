@@ -115,7 +115,7 @@ base::Result<std::optional<SketchedPose>> pose_from_sketch(const rig::Rig& rig, 
       if (auto status = add(part, out.pose); !status) return status.error();
       continue;
     }
-    // Whether a rig has one control for both, or one for each, its face tells.
+    // A rig has one control for both or one for each: the better pose shows which.
     std::array<rig::Pose, 2> poses{start, start};
     if (auto status = add(part, poses[0]); !status) return status.error();
     for (const Expression& one : form_and_opening(part)) {

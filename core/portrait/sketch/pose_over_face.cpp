@@ -19,7 +19,7 @@ struct Seam {
   std::size_t other = 0;  ///< the border that the line is not labelled as
 };
 
-/// What the lines of a drawing are taken for.
+/// Assigns a feature to each line of a drawing.
 struct Way {
   std::vector<LineRead> lines;
   std::optional<Seam> seam = {};

@@ -9,7 +9,7 @@
 
 namespace penpose::app {
 
-/// What a line of the face may be in place of what it was taken for.
+/// Holds another feature that a line of the face may be.
 struct FaceReading {
   std::string feature;
   document::SharedPose pose;  ///< the face if the line is that

@@ -17,7 +17,7 @@ bool goes_on(const Document& document, const View& view) {
   return document.face && document.face->time_s == document.time_s && same_side(document.face->view, view);
 }
 
-/// Whether a line runs along an older one again: most of the older one lies beside it, and not beyond its ends.
+/// Returns whether a line replaces an older one: most of the older line lies beside it, and not beyond its ends.
 bool runs_again(const FaceLine& older, const FaceLine& newer) {
   constexpr double k_most = 0.5;
   const auto& along = newer.line;
