@@ -82,7 +82,7 @@ void Interface::apply_look() {
   if (scale != look_scale_ || pictures) load_fonts(scale);
   look_scale_ = scale;
   look_light_ = light;
-  ImGui::GetStyle() = theme_style(light, static_cast<float>(scale));
+  use_theme(light, static_cast<float>(scale));
 }
 
 void Interface::load_fonts(double scale) {
@@ -341,8 +341,8 @@ void Interface::draw_pointer() const {
   const ImVec2 left{tip.x, tip.y + size};
   const ImVec2 right{tip.x + 0.7F * size, tip.y + 0.7F * size};
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  list.AddTriangleFilled(tip, right, left, IM_COL32(255, 255, 255, 255));
-  list.AddTriangle(tip, right, left, IM_COL32(0, 0, 0, 255), static_cast<float>(1.5 * canvas_.scale()));
+  list.AddTriangleFilled(tip, right, left, color_of(k_canvas_colors.ink));
+  list.AddTriangle(tip, right, left, color_of(k_canvas_colors.shade), static_cast<float>(1.5 * canvas_.scale()));
 }
 
 const Area* Interface::find(std::string_view label) const {

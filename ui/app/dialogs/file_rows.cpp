@@ -69,16 +69,15 @@ void draw_row(PanelContext& context, const std::string& folder, const FileEntry&
 
 bool show_row(PanelContext& context, const std::string& folder, const FileEntry& entry, bool chosen) {
   const std::string label = entry.name + (entry.is_folder ? "/" : "");
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  ImGui::PushStyleColor(ImGuiCol_Button, vec_of(palette().chosen, chosen ? 1 : 0));
   ImGui::PushID(label.c_str());
   const bool pressed = ImGui::Button("##row", {ImGui::GetContentRegionAvail().x, k_high * context.unit});
   ImGui::PopID();
-  if (chosen) ImGui::PopStyleColor();
+  ImGui::PopStyleColor();
   note(context, label.c_str());
-  const bool lit = chosen || ImGui::IsItemActive();
   draw_row(context, folder, entry,
            {ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-            lit ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_Text)});
+            color_of(ImGui::IsItemActive() ? palette().on_accent : palette().ink)});
   return pressed;
 }
 

@@ -10,6 +10,7 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The nine mouths that speech is drawn with: pictures of those that are kept, places for the others.
@@ -161,7 +162,7 @@ void show_slot(PanelContext& context, const MouthOwners& with, const MouthSlot& 
     const document::PoseKey pictured{0, with.kept.pose_of(*mouth), name};
     if (const auto place = context.pictures.place_of(with.editing.document(), pictured, FacePart::mouth))
       list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
-                           place->first, place->second, IM_COL32_WHITE, 4);
+                           place->first, place->second, k_untinted, 4);
   } else {
     list.AddRect(from, to, faint, 5);
     draw_lines(list, slot.mouth, {0.5F * (from.x + to.x), from.y + 0.5F * width}, width, faint);

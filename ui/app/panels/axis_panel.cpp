@@ -26,14 +26,14 @@ struct Axis {
   char letter[2];
   const char* tip;
   render::Viewpoint from;
-  ImU32 color;
+  Rgb color;
 };
 
 // The usual three colours: x red, y green, z blue.
 constexpr std::array k_axes{
-    Axis{"X##axis", "X", "Look from the model's left side", {90, 0}, IM_COL32(206, 62, 74, 255)},
-    Axis{"Y##axis", "Y", "Look from above", {0, 89}, IM_COL32(74, 148, 34, 255)},
-    Axis{"Z##axis", "Z", "Look from the model's front", {0, 0}, IM_COL32(46, 112, 206, 255)},
+    Axis{"X##axis", "X", "Look from the model's left side", {90, 0}, k_canvas_colors.axis_x},
+    Axis{"Y##axis", "Y", "Look from above", {0, 89}, k_canvas_colors.axis_y},
+    Axis{"Z##axis", "Z", "Look from the model's front", {0, 0}, k_canvas_colors.axis_z},
 };
 /// Of a canvas narrower than this, in targets, nothing is taken.
 constexpr double k_least_units = 12;
@@ -58,9 +58,9 @@ bool show_end(PanelContext& context, const AxisPanelOwners& with, const Axis& ax
                        !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow) && !context.menu_open &&
                        with.dialogs.open() == Dialog::none && !ImGui::IsAnyItemActive();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddCircleFilled(at, (hovered ? 1.25F : 1.0F) * k_disc * context.unit, axis.color);
+  list.AddCircleFilled(at, (hovered ? 1.25F : 1.0F) * k_disc * context.unit, color_of(axis.color));
   const ImVec2 size = ImGui::CalcTextSize(axis.letter);
-  list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, IM_COL32(255, 255, 255, 255), axis.letter);
+  list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, color_of(k_canvas_colors.ink), axis.letter);
   if (hovered) context.tip_waits = true;
   if (hovered && context.tip_due) ImGui::SetTooltip("%s", axis.tip);
   return hovered && ImGui::IsMouseClicked(0);
@@ -92,7 +92,7 @@ void show_axes(PanelContext& context, const Area& free, Canvas& canvas, Dialogs&
   // What is nearer lies above.
   std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.near < b.near; });
   ImDrawList& lines = *ImGui::GetBackgroundDrawList();
-  for (const Placed& one : placed) lines.AddLine(middle, one.at, one.axis->color, 0.07F * context.unit);
+  for (const Placed& one : placed) lines.AddLine(middle, one.at, color_of(one.axis->color), 0.07F * context.unit);
   for (const Placed& one : placed) {
     if (show_end(context, with, *one.axis, one.at)) canvas.look_from(one.axis->from);
   }

@@ -5,16 +5,22 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panels.h"
-#include "ui/app/preferences.h"
 #include "ui/app/view/toast_place.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // What is said for a while, where it covers least of what is drawn.
 
 namespace penpose::app {
+namespace {
+
+/// So much of the picture what is said hides.
+constexpr float k_notice_cover = 0.94F;
+
+}  // namespace
 
 void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, CanvasDrawing& drawing, Notices& notices,
-                  Preferences& preferences, Dialogs& dialogs) {
+                  Dialogs& dialogs) {
   const auto& all = notices.all();
   if (all.empty()) return;
   Area free = canvas.free_area();
@@ -23,9 +29,9 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   // What a dialog has to tell is not to lie in its shade.
   const bool dialog = dialogs.open() != Dialog::none;
   ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
-  const bool light = preferences.settings().light;
   const float pad = context.gap;
   const float width = std::min(static_cast<float>(free.width()) - 2 * context.gap, 20 * context.unit);
+  const float corner_px = ImGui::GetStyle().FrameRounding;
   float wide = 0;
   float high = 0;
   for (const Notice& one : all) {
@@ -45,15 +51,14 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   const auto x = static_cast<float>(place.left);
   for (const Notice& one : all) {
     // It goes as it came, and not at a stroke.
-    const int alpha = static_cast<int>(255 * notices.opacity(one));
-    const int cover = dialog ? alpha : alpha * 15 / 16;
-    const ImU32 back = light ? IM_COL32(255, 255, 255, cover) : IM_COL32(35, 39, 45, cover);
-    const ImU32 ink = light ? IM_COL32(26, 29, 33, alpha) : IM_COL32(231, 234, 238, alpha);
-    const ImU32 mark = one.is_error ? IM_COL32(224, 82, 58, alpha) : IM_COL32(47, 127, 214, alpha);
+    const auto alpha = static_cast<float>(notices.opacity(one));
+    const ImU32 back = color_of(palette().popup, dialog ? alpha : alpha * k_notice_cover);
+    const ImU32 ink = color_of(palette().ink, alpha);
+    const ImU32 mark = color_of(one.is_error ? palette().error : palette().accent, alpha);
     const ImVec2 size = ImGui::CalcTextSize(one.text.c_str(), nullptr, false, width - 3 * pad);
     const ImVec2 to{x + size.x + 3 * pad, y + size.y + 2 * pad};
-    list.AddRectFilled({x, y}, to, back, 5);
-    list.AddRectFilled({x, y}, {x + 0.5F * pad, to.y}, mark, 5);
+    list.AddRectFilled({x, y}, to, back, corner_px);
+    list.AddRectFilled({x, y}, {x + 0.5F * pad, to.y}, mark, corner_px);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x + 1.5F * pad, y + pad}, ink, one.text.c_str(), nullptr,
                  width - 3 * pad);
     y = to.y + pad;

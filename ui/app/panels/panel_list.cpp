@@ -16,7 +16,7 @@ void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
                    Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&, ToolInHand&);
 void show_player(PanelContext&, const Area&, Player&);
-void show_tour(PanelContext&, const Area&, TourGuide&, Files&, Preferences&);
+void show_tour(PanelContext&, const Area&, TourGuide&, Files&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
@@ -27,7 +27,7 @@ void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, Sugge
 void show_overlap(PanelContext&, const Area&, EditingSession&, Canvas&, OverlapOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&, PanelState&);
 void show_film(PanelContext&, const Area&, Canvas&, FilmWriter&);
-void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Preferences&, Dialogs&);
+void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_tour_ghost(PanelContext&, const Area&, Canvas&, TourGuide&, Dialogs&);
 

@@ -24,6 +24,7 @@
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -84,8 +85,7 @@ void show_ruler(PanelContext& context, const TimelineOwners& with) {
   // The playhead, with a handle to see it by.
   const float x = strip.x_of(with.playback.time_s());
   const float half = 0.22F * context.unit;
-  const ImU32 accent =
-      with.performer.performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
+  const ImU32 accent = color_of(with.performer.performing() ? palette().record : palette().accent);
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
   list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
   list.PopClipRect();
@@ -143,7 +143,7 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
     const bool here = std::abs(key.time_s - with.playback.time_s()) < 1e-9;
     // Those of some controls alone are smaller than whole poses.
     row.add(x, key.controls.whole() ? half : 0.7F * half,
-            dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255), here);
+            color_of(dragged || here ? palette().key_here : palette().key), here);
     // Its name, as far as there is room up to the next key.
     const float room = i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - 4 : 1e6F;
     if (key.name.empty() || room < half) continue;

@@ -12,6 +12,7 @@
 #include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The bar at the top, with the menu.
@@ -124,8 +125,8 @@ void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, Canva
               ImGui::GetColorU32(ImGuiCol_Text));
     tooltip(context, tool.hint().c_str());
     // The recording light.
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        middle, radius, recording.records() ? IM_COL32(225, 60, 50, 255) : IM_COL32(120, 120, 120, 255));
+    ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius,
+                                                color_of(recording.records() ? palette().record : palette().idle));
     ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});
     ImGui::Dummy({context.unit, context.unit});
     tooltip(context, recording.records() ? ("Recorded as it happens: " + recording.path()).c_str()

@@ -7,7 +7,6 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/files/files.h"
-#include "ui/app/preferences.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -15,12 +14,6 @@
 namespace penpose::app {
 namespace {
 
-/// Seen on skin, on hair and on both themes' panels; no curve has it.
-constexpr ImU32 k_ghost = IM_COL32(255, 149, 0, 255);
-constexpr ImU32 k_ring = IM_COL32(255, 176, 32, 255);
-constexpr ImU32 k_shade = IM_COL32(20, 16, 10, 150);
-constexpr ImU32 k_again_dark = IM_COL32(255, 176, 32, 255);
-constexpr ImU32 k_again_light = IM_COL32(166, 84, 0, 255);
 /// A card so wide has its buttons beside its text.
 constexpr double k_beside_units = 13;
 constexpr float k_buttons_units = 6.4F;
@@ -73,14 +66,14 @@ void add_dashed(ImDrawList& list, const std::vector<ImVec2>& line, float scale) 
       }
     }
   };
-  draw(6 * scale, k_shade);
-  draw(3.4F * scale, k_ghost);
+  draw(6 * scale, color_of(k_canvas_colors.shade, 0.6F));
+  draw(3.4F * scale, color_of(k_canvas_colors.tour));
 }
 
 /// A disc where it begins, an arrow where it ends.
 void add_ends(ImDrawList& list, const std::vector<ImVec2>& line, float scale, bool closed) {
-  list.AddCircleFilled(line.front(), 7 * scale, k_shade);
-  list.AddCircleFilled(line.front(), 5.5F * scale, k_ghost);
+  list.AddCircleFilled(line.front(), 7 * scale, color_of(k_canvas_colors.shade, 0.6F));
+  list.AddCircleFilled(line.front(), 5.5F * scale, color_of(k_canvas_colors.tour));
   // Of a line that comes back the arrow says which way round.
   const std::size_t tip = closed ? std::min<std::size_t>(3, line.size() - 1) : line.size() - 1;
   std::size_t tail = tip;
@@ -95,8 +88,8 @@ void add_ends(ImDrawList& list, const std::vector<ImVec2>& line, float scale, bo
   const float size = 11 * scale;
   const ImVec2 a{end.x - size * (way.x + 0.6F * way.y), end.y - size * (way.y - 0.6F * way.x)};
   const ImVec2 b{end.x - size * (way.x - 0.6F * way.y), end.y - size * (way.y + 0.6F * way.x)};
-  list.AddTriangleFilled(end, a, b, k_ghost);
-  list.AddTriangle(end, a, b, k_shade, 1.2F * scale);
+  list.AddTriangleFilled(end, a, b, color_of(k_canvas_colors.tour));
+  list.AddTriangle(end, a, b, color_of(k_canvas_colors.shade, 0.6F), 1.2F * scale);
 }
 
 }  // namespace
@@ -114,7 +107,7 @@ double tour_height(const PanelContext& context, double width, const TourGuide& g
   return static_cast<double>(high + 3 * context.gap);
 }
 
-void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files& files, Preferences& preferences) {
+void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files& files) {
   if (!guide.active()) return;
   const CardText text = text_of(guide);
   const bool beside = buttons_beside(context, area.width());
@@ -126,7 +119,7 @@ void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files&
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto left = static_cast<float>(area.left);
     const auto top = static_cast<float>(area.top);
-    list.AddRectFilled({left, top}, {left + context.gap, static_cast<float>(area.bottom)}, k_ring);
+    list.AddRectFilled({left, top}, {left + context.gap, static_cast<float>(area.bottom)}, color_of(palette().lit));
     float y = top + context.gap;
     const float x = left + 2 * context.gap;
     const auto say = [&](const std::string& words, ImU32 color) {
@@ -136,7 +129,7 @@ void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files&
     };
     say(text.counted, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     say(text.says, ImGui::GetColorU32(ImGuiCol_Text));
-    say(text.again, preferences.settings().light ? k_again_light : k_again_dark);
+    say(text.again, color_of(palette().asks));
     const float width = 0.5F * ((beside ? k_buttons_units * context.unit : wide) - 2 * context.gap);
     const float button_y = beside ? static_cast<float>(area.middle().y) - 0.5F * context.unit
                                   : static_cast<float>(area.bottom) - context.unit - context.gap;
@@ -177,7 +170,7 @@ void show_tour_ghost(PanelContext& context, const Area& /*area*/, Canvas& canvas
     const auto out = static_cast<double>(1.5F * scale);
     ImGui::GetForegroundDrawList()->AddRect({static_cast<float>(at.left - out), static_cast<float>(at.top - out)},
                                             {static_cast<float>(at.right + out), static_cast<float>(at.bottom + out)},
-                                            k_ring, 6 * scale, 0, 3 * scale);
+                                            color_of(palette().lit), 6 * scale, 0, 3 * scale);
     return;
   }
   const auto camera = geometry::Camera::make(canvas.view().camera, canvas.view().viewport);

@@ -4,7 +4,7 @@
 
 #include "core/articulation/edit.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/film/film_frames.h"
+#include "ui/app/widgets/internal/tokens.h"
 
 namespace penpose::app {
 namespace {
@@ -102,8 +102,8 @@ DrawFrame FrameMaker::make() {
   if (last_.overlay_number == 0) last_.overlay_number = 1;
   update_surface();
   update_overlay();
-  last_.background = {};
-  if (parts_.preferences.settings().light) last_.background = film::light_background();
+  const Palette& look = palette_of(parts_.preferences.settings().light);
+  last_.background = {render::from_srgb(look.canvas_top), render::from_srgb(look.canvas_foot)};
   last_.wireframe = parts_.look.wireframe;
   last_.clay = parts_.look.clay;
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};

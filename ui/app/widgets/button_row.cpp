@@ -7,7 +7,7 @@
 
 namespace penpose::app {
 
-void ButtonRow::add(Action action, bool chosen, bool enabled, bool text) {
+void ButtonRow::add(Action action, bool chosen, bool enabled, bool text, ButtonWeight weight) {
   Button button;
   button.label = std::string(info(action).label);
   button.icon = icon_of(action);
@@ -15,8 +15,22 @@ void ButtonRow::add(Action action, bool chosen, bool enabled, bool text) {
   button.text = text || button.icon.empty();
   button.chosen = chosen;
   button.enabled = enabled && context_.actions.usable(action);
+  button.weight = weight;
   button.does = [this, action] { context_.actions.run(action); };
   add(std::move(button));
+}
+
+void ButtonRow::separate() {
+  Button line;
+  line.width = 1;
+  line.shows = [](PanelContext& context, float width) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine({from.x, from.y + 0.2F * context.unit}, {from.x, from.y + 0.8F * context.unit},
+                                        ImGui::GetColorU32(ImGuiCol_Separator));
+    ImGui::Dummy({width, context.unit});
+  };
+  line.separates = true;
+  add(std::move(line));
 }
 
 float ButtonRow::width_of(const Button& button) const {
@@ -31,6 +45,8 @@ bool ButtonRow::show_one(const Button& button, float width, bool text) {
   }
   ImGui::BeginDisabled(!button.enabled);
   ButtonLook look{width, button.chosen, button.tip.c_str(), button.icon, text};
+  look.weight = button.weight;
+  look.left_aligned = in_menu_;
   const bool pressed = icon_button(context_, button.label.c_str(), look);
   ImGui::EndDisabled();
   if (pressed && button.does) button.does();
@@ -57,11 +73,11 @@ float ButtonRow::show(float width) {
   if (shown == buttons_.size()) return std::max(0.0F, used - spacing);
   if (shown > 0) ImGui::SameLine();
   const std::string more = std::string("More##") + name_;
-  if (icon_button(context_, more.c_str(), {context_.unit, false, "More buttons", icon::k_more, false})) {
-    ImGui::OpenPopup(name_);
-  }
+  if (quiet_icon(context_, more.c_str(), icon::k_more, "More buttons")) ImGui::OpenPopup(name_);
   if (begin_menu(context_, name_)) {
+    in_menu_ = true;
     for (; shown < buttons_.size(); ++shown) {
+      if (buttons_[shown].separates) continue;
       if (show_one(buttons_[shown], std::max(widths[shown], 6 * context_.unit), true)) ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

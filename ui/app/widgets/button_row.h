@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/app/panels/panels.h"
+#include "ui/app/widgets/button_weight.h"
 
 namespace penpose::app {
 
@@ -22,11 +23,16 @@ class ButtonRow {
     std::function<void()> does = {};
     std::function<void(PanelContext&, float width)> shows = {};  ///< something else than a button, that wide
     float width = 0;                                             ///< of that
+    ButtonWeight weight = ButtonWeight::quiet;
+    bool separates = false;  ///< a line, which a menu has no use for
   };
 
   ButtonRow(PanelContext& context, const char* name) : context_(context), name_(name) {}
   void add(Button button) { buttons_.push_back(std::move(button)); }
-  void add(Action action, bool chosen = false, bool enabled = true, bool text = true);
+  void add(Action action, bool chosen = false, bool enabled = true, bool text = true,
+           ButtonWeight weight = ButtonWeight::quiet);
+  /// A line between what was added and what comes next.
+  void separate();
   /// Shows them from the cursor on, in `width` px. Px that it took.
   float show(float width);
 
@@ -37,6 +43,7 @@ class ButtonRow {
   PanelContext& context_;
   const char* name_;
   std::vector<Button> buttons_;
+  bool in_menu_ = false;
 };
 
 }  // namespace penpose::app

@@ -9,14 +9,13 @@
 #include "ui/app/dialogs/entries.h"
 #include "ui/app/hands/bindings.h"
 #include "ui/app/hands/hand_desk.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {
 
 constexpr float k_dial_pi = 3.14159265F;
-constexpr ImU32 k_lit = IM_COL32(255, 176, 0, 255);
-constexpr ImU32 k_on_lit = IM_COL32(20, 20, 20, 255);
 constexpr float k_key_units = 4.4F;
 constexpr float k_dial_units = 2.7F;
 /// Keys of a column; more stand in two, as on both sides of a large tablet.
@@ -62,16 +61,13 @@ class Picture {
 
 void Picture::control_button(const PadControl& control, const std::string& text, float width, bool lit) {
   const bool chosen = with_.dialogs.state<PadChoice>().control == control;
-  if (lit) {
-    for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
-      ImGui::PushStyleColor(color, k_lit);
-    ImGui::PushStyleColor(ImGuiCol_Text, k_on_lit);
-  }
   const std::string id = text + "###" + name_of(control);
-  if (wide_button(context_, id.c_str(), width, chosen && !lit, title_of(control, tablet_.features).c_str())) {
+  const std::string title = title_of(control, tablet_.features);
+  ButtonLook look{width, chosen, title.c_str()};
+  look.lit = lit;
+  if (icon_button(context_, id.c_str(), look)) {
     with_.dialogs.state<PadChoice>().control = control;
   }
-  if (lit) ImGui::PopStyleColor(4);
   // Found by its own name, whatever is written on it.
   note(context_, name_of(control).c_str());
   if (!chosen) return;
@@ -108,7 +104,7 @@ void Picture::draw_strip(std::uint8_t side, ImVec2 from, ImVec2 to) const {
   const auto places = static_cast<float>(std::bit_width(static_cast<unsigned>(tablet_.features.strip_maximum)));
   const auto at = static_cast<float>(std::bit_width(static_cast<unsigned>(now_.strip[side])));
   const float y = from.y + half + (to.y - from.y - 2 * half) * std::min(1.0F, at / std::max(places, 1.0F));
-  list.AddCircleFilled({from.x + half, y}, 0.8F * half, k_lit);
+  list.AddCircleFilled({from.x + half, y}, 0.8F * half, color_of(palette().lit));
 }
 
 void Picture::draw_ring(const Dial& dial, ImVec2 middle) const {
@@ -127,7 +123,8 @@ void Picture::draw_ring(const Dial& dial, ImVec2 middle) const {
   const float share =
       static_cast<float>(now_.ring[dial.side]) / (static_cast<float>(tablet_.features.ring_maximum) + 1);
   const float angle = k_dial_pi + 2 * k_dial_pi * share;
-  list.AddCircleFilled({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)}, 0.22F * unit, k_lit);
+  list.AddCircleFilled({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)}, 0.22F * unit,
+                       color_of(palette().lit));
 }
 
 /// The key in the middle of a ring.
@@ -145,7 +142,7 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool down = now_.keys.has(keys.front());
   const auto color = ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button;
-  list.AddCircleFilled(middle, radius, down ? k_lit : ImGui::GetColorU32(color), 32);
+  list.AddCircleFilled(middle, radius, down ? color_of(palette().lit) : ImGui::GetColorU32(color), 32);
   if (with_.dialogs.state<PadChoice>().control == control)
     list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 32, 2);
   // Its light stands in one of four corners, as on the tablet.
@@ -155,7 +152,7 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
     const float angle = -0.75F * k_dial_pi + 2 * k_dial_pi * static_cast<float>(light) / count;
     const ImVec2 at{middle.x + 0.38F * context_.unit * std::cos(angle),
                     middle.y + 0.38F * context_.unit * std::sin(angle)};
-    const ImU32 lamp = down ? IM_COL32_WHITE : k_lit;
+    const ImU32 lamp = down ? color_of(palette().on_accent) : color_of(palette().lit);
     list.AddCircleFilled(at, 0.09F * context_.unit, light == mode ? lamp : ImGui::GetColorU32(ImGuiCol_FrameBg));
   }
   ImGui::SetCursorScreenPos(after);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -79,11 +80,11 @@ std::vector<std::optional<Area>> show_line_names(PanelContext& context, const Ar
                          !context.dialog_area && !ImGui::IsAnyItemActive();
     const ImVec2 from{static_cast<float>(area.left), static_cast<float>(area.top)};
     const ImVec2 to{static_cast<float>(area.right), static_cast<float>(area.bottom)};
-    const ImU32 back = names[i].known ? IM_COL32(28, 62, 110, 215) : IM_COL32(120, 74, 10, 225);
+    const ImU32 back = color_of(names[i].known ? k_canvas_colors.name_known : k_canvas_colors.name_guess, 0.87F);
     list.AddRectFilled(from, to, back, 0.35F * (to.y - from.y));
-    if (hovered) list.AddRect(from, to, IM_COL32(255, 255, 255, 230), 0.35F * (to.y - from.y), 0, 2);
+    if (hovered) list.AddRect(from, to, color_of(k_canvas_colors.ink), 0.35F * (to.y - from.y), 0, 2);
     const ImVec2 size = ImGui::CalcTextSize(names[i].text.c_str());
-    list.AddText({0.5F * (from.x + to.x - size.x), 0.5F * (from.y + to.y - size.y)}, IM_COL32(255, 255, 255, 255),
+    list.AddText({0.5F * (from.x + to.x - size.x), 0.5F * (from.y + to.y - size.y)}, color_of(k_canvas_colors.ink),
                  names[i].text.c_str());
     if (hovered) context.tip_waits = true;
     if (hovered && context.tip_due) ImGui::SetTooltip("%s", tip);

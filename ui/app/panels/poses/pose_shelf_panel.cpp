@@ -74,7 +74,7 @@ bool show_file(PanelContext& context, const Shelf& with, const files::PoseFile& 
     }
     if (place)
       list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
-                           place->first, place->second, IM_COL32_WHITE, 4);
+                           place->first, place->second, k_untinted, 4);
   } else {
     const std::string cannot = fitted_text("no pose", width - 2 * context.gap);
     list.AddText({from.x + context.gap, from.y + 0.4F * width}, ink, cannot.c_str());

@@ -9,6 +9,7 @@
 #include "ui/app/panels/timeline/sheet_names.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -204,7 +205,8 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
             graph.strip.x_of(on_frame(key.time_s + graph.strip.time_of(at.x) - drag.begin_s, with.playback.rate()));
         point.y += at.y - drag.from.second;
       }
-      draw_key(point, k_point_units * context.unit, chosen ? IM_COL32_WHITE : curve_color(control), chosen);
+      draw_key(point, k_point_units * context.unit, chosen ? color_of(palette().key_selected) : curve_color(control),
+               chosen);
     }
   }
   for (const Handle& handle : handles_of(with, graph)) {
@@ -269,10 +271,8 @@ void choose_first(const TimelineOwners& with, std::span<const rig::Parameter> pa
 }  // namespace
 
 ImU32 curve_color(std::size_t control) {
-  // Told apart on light ground and on dark: Okabe and Ito's colours for all eyes, without black and yellow.
-  constexpr std::array k_colors{IM_COL32(230, 159, 0, 255), IM_COL32(86, 180, 233, 255),  IM_COL32(0, 158, 115, 255),
-                                IM_COL32(213, 94, 0, 255),  IM_COL32(204, 121, 167, 255), IM_COL32(80, 130, 210, 255)};
-  return k_colors[control % k_colors.size()];
+  const auto& colors = palette().curves;
+  return color_of(colors[control % colors.size()]);
 }
 
 void show_curve_editor(PanelContext& context, const TimelineOwners& with, float height) {

@@ -8,14 +8,12 @@
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/sheet/sheet_rows.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {
 
-constexpr ImU32 k_key_color = IM_COL32(255, 168, 0, 255);
-constexpr ImU32 k_selected_color = IM_COL32(255, 255, 255, 255);
-constexpr ImU32 k_group_color = IM_COL32(190, 140, 60, 255);
 constexpr float k_sheet_key_units = 0.2F;
 
 /// The sheet as it lies on the panel.
@@ -172,9 +170,9 @@ void draw_rows(PanelContext& context, const TimelineOwners& with, const Sheet& s
       if (!any([&](std::size_t control) { return key.controls.has(control); })) continue;
       const bool chosen = may_be_chosen && any([&](std::size_t control) { return selected.has(key.time_s, control); });
       keys.add(chosen ? sheet.strip.x_of(shown_moment(with, sheet.strip, key.time_s, true)) : x, half,
-               chosen      ? k_selected_color
-               : one.group ? k_group_color
-                           : k_key_color,
+               chosen      ? color_of(palette().key_selected)
+               : one.group ? color_of(palette().key_group)
+                           : color_of(palette().key),
                chosen);
     }
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/document/time/timeline.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -82,7 +83,7 @@ void draw_key(ImVec2 middle, float half, ImU32 color, bool strong) {
   const ImVec2 right{middle.x + half, middle.y};
   const ImVec2 bottom{middle.x, middle.y + half};
   list.AddQuadFilled(left, top, right, bottom, color);
-  list.AddQuad(left, top, right, bottom, IM_COL32(60, 40, 0, 255), strong ? 2.5F : 1);
+  list.AddQuad(left, top, right, bottom, color_of(palette().key_edge), strong ? 2.5F : 1);
 }
 
 float least_apart(const Strip& strip, float half) { return std::max(1.2F * half, strip.size.x / 150); }

@@ -1,5 +1,7 @@
 #include "ui/app/widgets/internal/picture_tile.h"
 
+#include "ui/app/widgets/internal/theme.h"
+
 namespace penpose::app {
 
 float picture_tile_height(const PanelContext& context, float width) {
@@ -18,7 +20,7 @@ bool picture_tile(PanelContext& context, const char* label, const PictureTile& t
                      5);
   if (tile.picture) {
     list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + tile.width - 2},
-                         tile.picture->first, tile.picture->second, IM_COL32_WHITE, 4);
+                         tile.picture->first, tile.picture->second, k_untinted, 4);
   }
   const std::string shown = fitted_text(tile.text, tile.width - context.gap);
   const float wide = ImGui::CalcTextSize(shown.c_str()).x;

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/app/widgets/internal/tokens.h"
+
 // The two looks of panels. Private to the module: ImGui's types show.
 
 namespace penpose::app {
@@ -9,16 +11,19 @@ namespace penpose::app {
 /// Colours and measures of the dark or the light look, at a scale.
 [[nodiscard]] ImGuiStyle theme_style(bool light, float scale);
 
-/// Sizes of letters, px at scale 1: of what is read at all times, of what stands beside it, and of titles.
-inline constexpr float k_text_px = 16;
-inline constexpr float k_small_px = 13;
-inline constexpr float k_title_px = 20;
+/// Takes that look for all panels.
+void use_theme(bool light, float scale);
 
-/// Letters of those sizes; the usual one where the others could not be made.
+/// The colours of the look that was taken last.
+[[nodiscard]] const Palette& palette();
+/// A colour as ImGui takes it; `alpha` 0..1.
+[[nodiscard]] ImVec4 vec_of(Rgb color, float alpha = 1);
+[[nodiscard]] ImU32 color_of(Rgb color, float alpha = 1);
+/// A picture with this has its own colours.
+inline constexpr ImU32 k_untinted = IM_COL32_WHITE;
+
+/// Letters of the small size and of titles; the usual one where the others could not be made.
 [[nodiscard]] ImFont* small_font();
 [[nodiscard]] ImFont* title_font();
-
-/// Ink on what is on (a chosen button).
-[[nodiscard]] ImVec4 chosen_ink();
 
 }  // namespace penpose::app

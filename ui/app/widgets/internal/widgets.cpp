@@ -16,6 +16,8 @@ constexpr float k_pi = 3.14159265F;
 
 /// Part of a target's height that an icon takes.
 constexpr float k_icon = 0.56F;
+/// How dark the shade is behind a dialog.
+constexpr float k_shade = 0.45F;
 
 }  // namespace
 
@@ -101,26 +103,32 @@ float button_width(const PanelContext& context, const char* label, std::string_v
   return std::max(context.unit, wide + drawn + 0.6F * context.unit);
 }
 
-bool icon_button(PanelContext& context, const char* label, const ButtonLook& look) {
-  const float width = look.width != 0 ? look.width : button_width(context, label, look.icon, look.text);
+namespace {
+
+/// The colours of a button, as ImGui and what is drawn on it take them.
+struct ButtonColors {
+  ImVec4 ground;
+  ImVec4 hovered;
+  Rgb ink;
+};
+
+ButtonColors colors_of(const ButtonLook& look) {
+  const Palette& p = palette();
+  if (look.lit) return {vec_of(p.lit), vec_of(p.lit), p.on_lit};
+  if (look.weight == ButtonWeight::primary) return {vec_of(p.accent), vec_of(p.accent_hovered), p.on_accent};
   // What is on is seen to be on under the pen, too.
-  if (look.chosen) {
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-  }
-  ImGui::PushID(label);
-  const bool pressed = ImGui::Button("##button", {width, context.unit});
-  ImGui::PopID();
-  if (look.chosen) ImGui::PopStyleColor(2);
-  note(context, label);
+  if (look.chosen) return {vec_of(p.chosen), vec_of(p.chosen), p.ink};
+  return {vec_of(p.button, look.weight == ButtonWeight::quiet ? 0 : 1), vec_of(p.hovered), p.ink};
+}
+
+/// What stands on the button that was just made: an icon, its word as far as it fits, its key.
+void draw_on_button(const PanelContext& context, std::string_view label, const ButtonLook& look, Rgb color) {
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(least, most, true);
-  const ImU32 ink =
-      look.chosen || ImGui::IsItemActive() ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_Text);
-  const std::string_view whole(label);
-  const std::string_view said = look.text ? whole.substr(0, whole.find("##")) : std::string_view();
+  const ImU32 ink = color_of(ImGui::IsItemActive() ? palette().on_accent : color);
+  const std::string_view said = look.text ? label.substr(0, label.find("##")) : std::string_view();
   float icon_px = look.icon.empty() ? 0 : k_icon * context.unit;
   float between = icon_px > 0 && !said.empty() ? 0.5F * context.gap : 0;
   const float key_px = look.key.empty() ? 0 : ImGui::CalcTextSize(look.key.data(), look.key.data() + look.key.size()).x;
@@ -141,8 +149,35 @@ bool icon_button(PanelContext& context, const char* label, const ButtonLook& loo
                  look.key.data() + look.key.size());
   }
   list.PopClipRect();
+}
+
+}  // namespace
+
+bool icon_button(PanelContext& context, const char* label, const ButtonLook& look) {
+  const float width = look.width != 0 ? look.width : button_width(context, label, look.icon, look.text);
+  const ButtonColors colors = colors_of(look);
+  ImGui::PushStyleColor(ImGuiCol_Button, colors.ground);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.hovered);
+  ImGui::PushID(label);
+  const bool pressed = ImGui::Button("##button", {width, context.unit});
+  ImGui::PopID();
+  ImGui::PopStyleColor(2);
+  note(context, label);
+  draw_on_button(context, label, look, colors.ink);
   tooltip(context, look.tip);
   return pressed;
+}
+
+bool primary_button(PanelContext& context, const char* label, float width, const char* tip) {
+  ButtonLook look{width, false, tip};
+  look.weight = ButtonWeight::primary;
+  return icon_button(context, label, look);
+}
+
+bool quiet_icon(PanelContext& context, const char* label, std::string_view icon, const char* tip, bool chosen) {
+  ButtonLook look{context.unit, chosen, tip, icon, false};
+  look.weight = ButtonWeight::quiet;
+  return icon_button(context, label, look);
 }
 
 bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
@@ -161,14 +196,11 @@ bool menu_entry(PanelContext& context, const char* label, std::string_view icon,
   const float wide =
       button_width(context, label, icon, true) + ImGui::CalcTextSize(key.data(), key.data() + key.size()).x;
   if (wide > width) key = {};
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-  const bool pressed = icon_button(context, label, {width, false, tip, icon, true, true, key});
-  ImGui::PopStyleColor();
-  return pressed;
+  return icon_button(context, label, {width, false, tip, icon, true, true, key, ButtonWeight::quiet});
 }
 
 bool lock_button(PanelContext& context, const char* label, bool locked, const char* tip) {
-  const bool pressed = wide_button(context, label, context.unit, locked, tip);
+  const bool pressed = quiet_icon(context, label, {}, tip, locked);
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -189,12 +221,14 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
   return pressed;
 }
 
-bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
+bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label,
+                   ButtonWeight weight) {
   const std::string own(info(action).label);
   const std::string tip = context.actions.keys().tooltip_of(action);
   const std::string_view icon = label == nullptr ? icon_of(action) : std::string_view();
   ButtonLook look{width, chosen, tip.c_str(), icon};
   look.left_aligned = width == -1 && !icon.empty();
+  look.weight = weight;
   if (!icon_button(context, label != nullptr ? label : own.c_str(), look)) return false;
   context.actions.run(action);
   return true;
@@ -255,7 +289,7 @@ bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   // Everything behind it lies in shade.
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 100));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, vec_of(k_canvas_colors.shade, k_shade));
   ImGui::Begin("shade", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "ui/app/panels/panels.h"
+#include "ui/app/widgets/button_weight.h"
 
 // Widgets that are large enough for a pen and note where they are. Private to the module: ImGui's types show.
 
@@ -13,7 +14,7 @@ namespace penpose::app {
 
 /// Notes the last item under its label.
 void note(PanelContext& context, const char* label);
-/// A button that is at least one unit high; width 0: as wide as its text and a unit, -1: what is left.
+/// An ordinary button that is at least one unit high; width 0: as wide as its text and a unit, -1: what is left.
 bool wide_button(PanelContext& context, const char* label, float width = 0, bool chosen = false,
                  const char* tip = nullptr);
 struct ButtonLook {
@@ -24,9 +25,15 @@ struct ButtonLook {
   bool text = true;            ///< its label is shown; else the icon alone
   bool left_aligned = false;
   std::string_view key = {};  ///< its key, at the right
+  ButtonWeight weight = ButtonWeight::ordinary;
+  bool lit = false;  ///< what it stands for is pressed now, elsewhere
 };
 /// A button with an icon, as high as others.
 bool icon_button(PanelContext& context, const char* label, const ButtonLook& look);
+/// The one thing to do now, of a panel or a dialog.
+bool primary_button(PanelContext& context, const char* label, float width = 0, const char* tip = nullptr);
+/// A quiet button with an icon alone, one unit square.
+bool quiet_icon(PanelContext& context, const char* label, std::string_view icon, const char* tip, bool chosen = false);
 /// How wide it is where its width is 0.
 [[nodiscard]] float button_width(const PanelContext& context, const char* label, std::string_view icon, bool text);
 /// How wide a column of a menu is: two of them lie beside each other in any window.
@@ -38,11 +45,11 @@ bool menu_entry(PanelContext& context, const char* label, std::string_view icon,
 /// A line of text in a place of its own, no wider than that.
 void text_line(PanelContext& context, std::string_view text, float width, ImU32 color);
 
-/// A button with a padlock on it, closed or open.
+/// A quiet button with a padlock on it, closed or open.
 bool lock_button(PanelContext& context, const char* label, bool locked, const char* tip);
 /// A button of an action with its tooltip; does it when pressed.
 bool action_button(PanelContext& context, Action action, float width = 0, bool chosen = false,
-                   const char* label = nullptr);
+                   const char* label = nullptr, ButtonWeight weight = ButtonWeight::ordinary);
 /// Says what the last item is for, once the pointer has rested on it, where it covers no neighbour.
 void tooltip(PanelContext& context, const char* text);
 /// A line of text in the middle of a row of buttons.
