@@ -4,6 +4,7 @@
 
 #include "ui/app/action.h"
 #include "ui/app/face/neutral_face.h"
+#include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/owners.h"
 #include "ui/app/playback/time_actions.h"
@@ -357,6 +358,8 @@ std::vector<ActionInfo> made_actions() {
     if (!tool.button.label.empty()) all.push_back(action_of_tool(tool));
   }
   all.insert(all.end(), k_actions.begin(), k_actions.end());
+  const auto of_hand = hand_actions();
+  all.insert(all.end(), of_hand.begin(), of_hand.end());
   const auto of_time = time_actions();
   all.insert(all.end(), of_time.begin(), of_time.end());
   return all;

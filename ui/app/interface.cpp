@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
@@ -203,17 +204,10 @@ void Interface::show_all(PanelContext& context) {
   const double width = context.window.width;
   const double height = context.window.height;
   const double top = unit + 2 * gap;
-  double left = 2.6 * unit + 2 * gap;
   double right = std::min(9.5 * unit, 0.4 * width);
   const double status = 0.7 * unit;
   const bool plays = app_.of<Player>().trace.has_value();
   const double player = plays ? unit + 2 * gap : 0;
-  // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
-  panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
-  if (panels_.narrow) {
-    right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
-    if (panels_.side_in_turn) left = 0;
-  }
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
@@ -223,6 +217,13 @@ void Interface::show_all(PanelContext& context) {
     bottom = unit + 2 * gap;
   } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {
     bottom = std::min(most, bottom + std::min(6 * unit, 0.35 * height));
+  }
+  double left = static_cast<double>(toolbar_layout(context, static_cast<float>(height - bottom - top)).width);
+  // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
+  panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
+  if (panels_.narrow) {
+    right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
+    if (panels_.side_in_turn) left = 0;
   }
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
   Area free{0, 0, width, height};

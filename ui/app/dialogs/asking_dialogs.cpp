@@ -24,7 +24,7 @@ void show_recover_dialog(PanelContext& context, Recovery& recovery) {
   if (begin_dialog(context, "There is work that was not saved", 13)) {
     const std::string name = recovery.abandoned().empty() ? "" : fs::path(recovery.abandoned().front()).stem().string();
     ImGui::TextWrapped("What was drawn in the session %s is kept, to the last stroke.", name.c_str());
-    if (wide_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
+    if (primary_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
       recovery.recover(true);
     } else {
       ImGui::SameLine();
@@ -54,7 +54,7 @@ void show_steps_dialog(PanelContext& context) {
     ImGui::PopStyleColor();
     ImGui::TextWrapped("Or be shown, and do each step with your own hand:");
     show_tour_buttons(context);
-    if (wide_button(context, "Begin", -1) || context.accepts) context.actions.run(Action::cancel);
+    if (primary_button(context, "Begin", -1) || context.accepts) context.actions.run(Action::cancel);
   }
   end_dialog();
 }
@@ -88,7 +88,7 @@ void show_sessions_dialog(PanelContext& context, Files& files, Recording& record
 void show_unsaved_dialog(PanelContext& context, Leaving& leaving, Dialogs& dialogs) {
   if (begin_dialog(context, "There is unsaved work", 13)) {
     ImGui::TextWrapped("It is kept in the list of sessions in any case.");
-    if (wide_button(context, "Save first") || context.accepts) leaving.save_first();
+    if (primary_button(context, "Save first") || context.accepts) leaving.save_first();
     ImGui::SameLine();
     const char* without =
         dialogs.state<UnsavedWork>().then_opens.empty() ? "Quit without saving" : "Open without saving";

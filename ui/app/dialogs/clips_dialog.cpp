@@ -136,7 +136,7 @@ void show_clips_dialog(PanelContext& context, EditingSession& editing, Playback&
     const float rows = std::clamp(static_cast<float>(context.window.height) / context.unit - 6.5F, 2.0F, 8.0F);
     show_list(context, document, rows * context.unit, does);
     show_changes(context, document, playback, entry.text, does);
-    if (wide_button(context, "Done", -1)) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done", -1)) dialogs.show(Dialog::none);
     if (does) perform({editing, playback}, *does);
   }
   end_dialog();

@@ -110,7 +110,7 @@ void show_number_dialog(PanelContext& context, EditingSession& editing, Controls
     dialog_field(context, "##number", entry.text, "type a number");
     keypad(context, entry.text);
     ImGui::Dummy({1, context.gap});
-    if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(with, *index)) {
+    if ((primary_button(context, "Set##number", third) || context.accepts) && take_number(with, *index)) {
       dialogs.show(Dialog::none);
     }
     ImGui::SameLine();
@@ -128,7 +128,7 @@ void show_key_dialog(PanelContext& context, Keys& keys, Dialogs& dialogs) {
   std::string& name = dialogs.state<KeyNameEntry>().text;
   if (begin_dialog(context, "A name for this pose", 11)) {
     dialog_field(context, "##key name", name, "smile");
-    if (wide_button(context, "Name it", 4 * context.unit) || context.accepts) {
+    if (primary_button(context, "Name it", 4 * context.unit) || context.accepts) {
       keys.name(name);
       dialogs.show(Dialog::none);
     }
@@ -155,7 +155,11 @@ void show_radial_dialog(PanelContext& context, Preferences& preferences, Dialogs
     for (const ActionInfo& one : all_actions()) {
       if (column++ % 3 != 0) ImGui::SameLine();
       const std::string label = std::string(one.label) + "##choose";
-      if (wide_button(context, label.c_str(), third, false, std::string(one.tip).c_str()) && place < radial.size()) {
+      const std::string tip(one.tip);
+      ButtonLook look{third, false, tip.c_str(), one.icon};
+      look.left_aligned = true;
+      look.weight = ButtonWeight::quiet;
+      if (icon_button(context, label.c_str(), look) && place < radial.size()) {
         radial[place] = one.action;
         preferences.changed();
       }
@@ -166,7 +170,7 @@ void show_radial_dialog(PanelContext& context, Preferences& preferences, Dialogs
       preferences.changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

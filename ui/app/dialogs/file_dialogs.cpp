@@ -53,9 +53,9 @@ bool choose_name(PanelContext& context, const FileDialogsOwners& with, const cha
   if (asked) {
     cancel();
     ImGui::SameLine();
-    pressed = wide_button(context, "Write over it##now", 4 * context.unit) || pressed;
+    pressed = primary_button(context, "Write over it##now", 4 * context.unit) || pressed;
   } else {
-    pressed = wide_button(context, does, 4 * context.unit) || pressed;
+    pressed = primary_button(context, does, 4 * context.unit) || pressed;
     ImGui::SameLine();
     cancel();
   }

@@ -192,7 +192,7 @@ void show_film_dialog(PanelContext& context, EditingSession& editing, Playback& 
     const bool can = keyed && !choice.name.empty() && !lacks_program && !film.writes();
     ImGui::BeginDisabled(!can);
     const char* label = asked ? "Write over it##film" : "Write##film";
-    const bool pressed = wide_button(context, label, 4 * context.unit) || (context.accepts && can);
+    const bool pressed = primary_button(context, label, 4 * context.unit) || (context.accepts && can);
     ImGui::EndDisabled();
     if (pressed && !asked && fs::exists(first, code)) {
       entry.asked_of = path;

@@ -196,7 +196,7 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
       const bool speaks = ready && (entry.way == Way::ear || (entry.way == Way::text && !entry.text.empty()));
       if (entry.way != Way::cues) {
         ImGui::BeginDisabled(!speaks);
-        if (wide_button(context, "Speak##now", 4 * context.unit) || (context.accepts && speaks)) {
+        if (primary_button(context, "Speak##now", 4 * context.unit) || (context.accepts && speaks)) {
           tell(with, pass.listen(entry.way == Way::text ? entry.text : std::string()));
           entry.began = pass.listens();
         }

@@ -186,7 +186,7 @@ void show_keyboard_dialog(PanelContext& context, Preferences& preferences, Dialo
     }
     ImGui::EndChild();
     show_question(context, with);
-    if (wide_button(context, "Done##keyboard") || context.accepts) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done##keyboard") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

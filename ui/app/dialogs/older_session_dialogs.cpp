@@ -18,7 +18,7 @@ void show_older_session_dialog(PanelContext& context, Files& files, Notices& not
     ImGui::TextWrapped(
         "Some strokes may mean something else today; you will see which. The session itself stays as it "
         "is, and a new one goes on from it.");
-    if (wide_button(context, "Draw it again", 5 * context.unit) || context.accepts) {
+    if (primary_button(context, "Draw it again", 5 * context.unit) || context.accepts) {
       dialogs.close();
       if (const auto drawn = files.draw_again(asked.path); !drawn) notices.tell(drawn.error().line(asked.path), true);
     } else {

@@ -174,7 +174,7 @@ void show_pad_dialog(PanelContext& context, EditingSession& editing, HandDesk& d
         preferences.changed();
       ImGui::SameLine();
     }
-    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

@@ -191,7 +191,7 @@ void show_preferences_dialog(PanelContext& context, const EditingSession& editin
     constexpr std::array k_shown{show_view, show_pen, show_keys, show_time, show_folders};
     k_shown[static_cast<std::size_t>(tab)](context, with);
     ImGui::EndChild();
-    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

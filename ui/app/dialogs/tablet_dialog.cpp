@@ -138,7 +138,7 @@ void show_tablet_dialog(PanelContext& context, HandDesk& desk, Bindings& binding
       bindings.setting_changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
+    if (primary_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

@@ -78,7 +78,7 @@ void show_backdrop(PanelContext& context, const Area& free, Canvas& canvas, Canv
     ImGui::SameLine();
     if (wide_button(context, "Remove##behind", 0, false, "Take the picture away")) look.backdrop.reset();
     ImGui::SameLine();
-    if (wide_button(context, "Done##behind", -1, true, "Leave it there and draw")) backdrop->adjusting = false;
+    if (primary_button(context, "Done##behind", -1, "Leave it there and draw")) backdrop->adjusting = false;
   }
   end_panel();
   // Of windows that never come to the front the one that was first lies above.

@@ -76,11 +76,10 @@ void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t 
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
   slider_of(context, with, index, with.editing.words()[index].text(), width);
   ImGui::SameLine();
-  ButtonLook type{context.unit, false, "Type its value, or change its range", icon::k_pencil, false};
-  if (icon_button(context, ("\u270e##type " + name).c_str(), type)) type_value(with, name);
+  if (quiet_icon(context, ("\u270e##type " + name).c_str(), icon::k_pencil, "Type its value, or change its range"))
+    type_value(with, name);
   ImGui::SameLine();
-  ButtonLook reset{context.unit, false, "Back to rest", icon::k_back, false};
-  if (icon_button(context, ("\u21ba##reset " + name).c_str(), reset)) {
+  if (quiet_icon(context, ("\u21ba##reset " + name).c_str(), icon::k_back, "Back to rest")) {
     with.editing.perform(document::ResetParameters{{name}});
   }
 }
@@ -89,8 +88,7 @@ void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t 
 void pair_menu(PanelContext& context, const ControlRowsOwners& with, const std::string& left,
                const std::string& right) {
   const std::string both = common_name(left, right);
-  if (icon_button(context, ("more##pair " + both).c_str(),
-                  {context.unit, false, "Type a value, copy a side, back to rest", icon::k_more, false})) {
+  if (quiet_icon(context, ("more##pair " + both).c_str(), icon::k_more, "Type a value, copy a side, back to rest")) {
     ImGui::OpenPopup("pair");
   }
   if (!begin_menu(context, "pair")) return;

@@ -7,8 +7,7 @@
 namespace penpose::app {
 
 // Each stands in a file of its own. A new one is that file, a line here and a row below.
-void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&,
-                  Dialogs&, PanelState&);
+void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
 void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
                      Dialogs&, PanelState&, PoseShelf&);

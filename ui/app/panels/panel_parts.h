@@ -27,6 +27,16 @@ void show_poses(PanelContext& context, EditingSession& editing, Playback& playba
 void show_mouths(PanelContext& context, EditingSession& editing, KeptMouths& kept, Dialogs& dialogs,
                  PanelState& panels);
 /// Asks for the rest of the face; grey, and saying why, while there are too few keys.
-void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer);
+void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer, float width = -1,
+                         bool words = true);
+
+/// How the toolbar stands in its place.
+struct ToolbarLayout {
+  bool words = true;  ///< beside the icons
+  int across = 1;     ///< buttons side by side
+  float width = 0;    ///< of the panel, px
+};
+/// One column with words where the tools have room in `height` px, else icons alone, two or three side by side.
+[[nodiscard]] ToolbarLayout toolbar_layout(const PanelContext& context, float height);
 
 }  // namespace penpose::app

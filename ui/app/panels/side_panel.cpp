@@ -110,6 +110,7 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
       (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
   ButtonLook look{width, false, open ? "Fold this group" : "Unfold this group"};
   look.left_aligned = true;
+  look.weight = ButtonWeight::quiet;
   if (icon_button(context, label.c_str(), look)) {
     if (open) {
       folded.insert(group);
@@ -125,8 +126,7 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
     lock_parameters(with.editing, members, !all_locked);
   }
   ImGui::SameLine();
-  if (icon_button(context, ("\u21ba##reset group " + group).c_str(),
-                  {context.unit, false, "The whole group back to rest", icon::k_back, false})) {
+  if (quiet_icon(context, ("\u21ba##reset group " + group).c_str(), icon::k_back, "The whole group back to rest")) {
     with.editing.perform(document::ResetParameters{members});
   }
   ImGui::PopID();
@@ -217,7 +217,7 @@ void show_parameters(PanelContext& context, EditingSession& editing, Controls& c
   text_field(context, "##search", panels.own.of<ParameterList>().filter,
              ImGui::GetContentRegionAvail().x - context.unit - moved - 2 * spacing, "search");
   ImGui::SameLine();
-  if (icon_button(context, "x##clear", {context.unit, false, "Show all", icon::k_cross, false})) {
+  if (quiet_icon(context, "x##clear", icon::k_cross, "Show all")) {
     panels.own.of<ParameterList>().filter.clear();
     panels.own.of<ParameterList>().moved_only = false;
   }

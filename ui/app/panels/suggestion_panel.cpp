@@ -2,9 +2,11 @@
 #include <cstdio>
 
 #include "ui/app/canvas/canvas.h"
+#include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/session/suggestion_offer.h"
+#include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The rest of the face as the keys suggest it: asked for in the toolbar, taken or dismissed beside the model.
@@ -39,16 +41,20 @@ std::string moved_text(EditingSession& editing, const SuggestionOffer& offer) {
 
 }  // namespace
 
-void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer) {
+void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer, float width,
+                         bool words) {
   const std::string& why_not = offer.why_not(editing);
   if (why_not.empty() || offer.open()) {
-    action_button(context, Action::suggest_rest, -1, offer.open());
+    tool_button(context, Action::suggest_rest, width, words, offer.open());
     return;
   }
   const std::string label(info(Action::suggest_rest).label);
   const std::string tip = context.actions.keys().tooltip_of(Action::suggest_rest) + ". Not yet: " + why_not;
   ImGui::BeginDisabled(true);
-  wide_button(context, label.c_str(), -1);
+  ButtonLook look{width, false, nullptr, icon_of(Action::suggest_rest), words};
+  look.left_aligned = words;
+  look.weight = ButtonWeight::quiet;
+  icon_button(context, label.c_str(), look);
   ImGui::EndDisabled();
   // After it, so that the reason itself is not grey.
   tooltip(context, tip.c_str());
@@ -80,8 +86,8 @@ void show_suggestion(PanelContext& context, const Area& /*area*/, EditingSession
     }
     if (offer.open()) ImGui::TextWrapped("%s", text.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (wide_button(context, "Take it##suggestion", half, false,
-                    "The pose becomes this; what you posed stays, and Undo takes it back")) {
+    if (primary_button(context, "Take it##suggestion", half,
+                       "The pose becomes this; what you posed stays, and Undo takes it back")) {
       offer.take(editing);
     }
     ImGui::SameLine();

@@ -235,6 +235,16 @@ std::string clip_label(const document::Document& document) {
   return std::to_string(animations) + (animations == 1 ? " animation" : " animations");
 }
 
+/// A pose that the timeline does not have, which is lost where one goes on without it.
+bool has_unkept_pose(const document::Document& document) {
+  if (!document.timeline->keys.empty()) return !(document.pose == document::pose_at(document, document.time_s));
+  const auto parameters = document.model->rig->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (document.pose[i] != parameters[i].rest) return true;
+  }
+  return false;
+}
+
 void show_buttons(PanelContext& context, const TimelineOwners& with) {
   // A button may put another timeline in its place.
   const auto held = with.editing.document().timeline;
@@ -249,6 +259,8 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
                          with.playback.playing() ? icon::k_stop : icon_of(Action::play),
                          context.actions.keys().tooltip_of(Action::play)};
   play.chosen = with.playback.playing();
+  play.weight = ButtonWeight::ordinary;
+  play.keeps_word = true;
   play.does = [&] { context.actions.run(Action::play); };
   row.add(std::move(play));
   row.add(Action::next_frame, false, true, false);
@@ -267,9 +279,9 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
     clips.does = [&] { context.actions.run(Action{"clips"}); };
     row.add(std::move(clips));
   }
-  // A pose that the timeline does not have is lost where one goes on without it.
-  const document::Document& now = with.editing.document();
-  row.add(Action::key_pose, !timeline.keys.empty() && !(now.pose == document::pose_at(now, now.time_s)));
+  row.separate();
+  row.add(Action::key_pose, false, true, true,
+          has_unkept_pose(with.editing.document()) ? ButtonWeight::primary : ButtonWeight::ordinary);
   row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
@@ -280,6 +292,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(std::move(name));
   row.add(Action::auto_key, with.playback.while_drawing().auto_key, true, false);
   row.add(Action::perform, with.playback.while_drawing().performs, true, false);
+  row.separate();
   ButtonRow::Button kind{"##kinds"};
   kind.shows = [&with](PanelContext& panel, float width) { show_kinds(panel, with, width); };
   kind.width = 2.4F * context.unit;
@@ -288,6 +301,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
   row.add(Action{"overlap"}, with.overlap.open(), true, false);
   row.add(Action::onion_skin, with.look.onion_skin);
+  row.separate();
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
     button.enabled = enabled;
@@ -300,6 +314,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
        [&with] { zoom_track(with, 1 / 1.6); });
   view("Back##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
   view("On##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
+  row.separate();
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, true, false);
   row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);

@@ -147,7 +147,7 @@ void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files&
       if (!held && here && ImGui::IsMouseDragging(0, context.unit)) guide.drag_beside();
     } else {
       if (next != k_tours.end()) {
-        if (wide_button(context, "Next tour##tour", width)) pressed = Pressed::next;
+        if (primary_button(context, "Next tour##tour", width)) pressed = Pressed::next;
         ImGui::SameLine();
       }
       if (wide_button(context, "Close##tour", width)) pressed = Pressed::leave;

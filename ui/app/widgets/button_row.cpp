@@ -16,6 +16,7 @@ void ButtonRow::add(Action action, bool chosen, bool enabled, bool text, ButtonW
   button.chosen = chosen;
   button.enabled = enabled && context_.actions.usable(action);
   button.weight = weight;
+  button.keeps_word = weight != ButtonWeight::quiet;
   button.does = [this, action] { context_.actions.run(action); };
   add(std::move(button));
 }
@@ -56,10 +57,20 @@ bool ButtonRow::show_one(const Button& button, float width, bool text) {
 float ButtonRow::show(float width) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   std::vector<float> widths;
-  float all = -spacing;
-  for (const Button& button : buttons_) {
-    widths.push_back(width_of(button));
-    all += widths.back() + spacing;
+  const auto measure = [&] {
+    widths.clear();
+    float all = -spacing;
+    for (const Button& button : buttons_) {
+      widths.push_back(width_of(button));
+      all += widths.back() + spacing;
+    }
+    return all;
+  };
+  float all = measure();
+  if (all > width) {
+    // All of them with words or none, so that icons stand in one rhythm.
+    for (Button& button : buttons_) button.text = button.text && (button.icon.empty() || button.keeps_word);
+    all = measure();
   }
   // Room for the menu is needed only where not all fits.
   const float room = all <= width ? width : width - context_.unit - spacing;

@@ -10,7 +10,8 @@
 
 namespace penpose::app {
 
-/// A row of buttons in a panel. Those that have no room stand in a menu at its end, so that nothing is ever cut off.
+/// A row of buttons in a panel. Where not all have room their icons stand alone, and what still has none stands in a
+/// menu at its end, so that nothing is ever cut off.
 class ButtonRow {
  public:
   struct Button {
@@ -24,7 +25,8 @@ class ButtonRow {
     std::function<void(PanelContext&, float width)> shows = {};  ///< something else than a button, that wide
     float width = 0;                                             ///< of that
     ButtonWeight weight = ButtonWeight::quiet;
-    bool separates = false;  ///< a line, which a menu has no use for
+    bool keeps_word = false;  ///< beside its icon, also where there is little room
+    bool separates = false;   ///< a line, which a menu has no use for
   };
 
   ButtonRow(PanelContext& context, const char* name) : context_(context), name_(name) {}

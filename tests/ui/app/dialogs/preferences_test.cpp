@@ -39,7 +39,7 @@ TEST(PreferencesDialog, EveryTabChangesWhatIsKept) {
   desk.click("Menu around the pen##preferences");
   EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::radial);
   desk.click("Done");
-  desk.click("Menu");
+  desk.open_menu("Edit");
   desk.click("Preferences");
   EXPECT_NE(desk.interface->find("Menu around the pen##preferences"), nullptr) << "the tab of before";
   desk.hit_escape();

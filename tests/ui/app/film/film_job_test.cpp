@@ -41,7 +41,7 @@ class FilmDesk : public ::testing::Test {
   FilmEntry& entry() { return desk_.app->of<Dialogs>().state<FilmEntry>(); }
   const Notice& said() { return desk_.app->of<Notices>().all().back(); }
   void open_dialog() {
-    desk_.click("Menu");
+    desk_.open_menu("File");
     desk_.click("Film");
     ASSERT_EQ(desk_.app->of<Dialogs>().open(), Dialog::film);
   }

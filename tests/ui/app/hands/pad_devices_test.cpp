@@ -46,7 +46,7 @@ TEST(PadDevices, TwoTabletsOfOneModelShareBindingsAndNothingElse) {
   EXPECT_EQ(desk.app->of<HandDesk>().find(10), nullptr);
   send(1, 0);
   EXPECT_NE(desk.app->of<EditingSession>().editor().tool().kind, ToolKind::pin);
-  desk.click("Menu");
+  desk.open_menu("Tablet");
   desk.click("Tablet keys");
   EXPECT_NE(desk.interface->find("BTN_3"), nullptr);
 }
@@ -125,7 +125,7 @@ TEST(PadDevices, ATabletThatMayBeAnotherModelSaysWhichItIsTakenFor) {
   desk.now_us += 1'000'000;
   desk.frames();
   for (const char* dialog : {"Tablet keys", "Tablet"}) {
-    desk.click("Menu");
+    desk.open_menu("Tablet");
     desk.click(dialog);
     EXPECT_NE(desk.interface->find(guess), nullptr) << dialog;
     desk.click("Done");

@@ -170,7 +170,7 @@ TEST(Pads, BehindADialogKeysDoNothingButCancel) {
 TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
   {
     PadDesk desk("pad-bind");
-    desk.click("Menu");
+    desk.open_menu("Tablet");
     desk.click("Tablet keys");
     ASSERT_NE(desk.interface->find("BTN_3"), nullptr) << "the pad's keys are shown";
     ASSERT_NE(desk.interface->find("ring 1 light 4"), nullptr);
@@ -202,7 +202,7 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
   EXPECT_EQ(desk.app->of<Bindings>().bound(tablet, dial_control(decode::PadDial::ring, 0, 0)),
             binding_of(DialUse::keys));
   EXPECT_EQ(desk.app->of<Bindings>().bound(tablet, key(2)), binding_of(Action::redo)) << "the others do what they did";
-  desk.click("Menu");
+  desk.open_menu("Tablet");
   desk.click("Tablet keys");
   desk.click("As it was##pad");
   EXPECT_EQ(desk.app->of<Bindings>().bound(*desk.app->of<HandDesk>().find(k_pad), key(1)), binding_of(Action::undo));

@@ -138,7 +138,7 @@ void show_overlap(PanelContext& context, const Area& /*area*/, EditingSession& e
                   {right - width, top, right, std::min(top + static_cast<double>(height), free.bottom)}, true)) {
     ImGui::TextWrapped("%s", title.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
-    if (wide_button(context, "Bake##overlap", half, false, "Key it; one step of Undo takes it back")) offer.bake();
+    if (primary_button(context, "Bake##overlap", half, "Key it; one step of Undo takes it back")) offer.bake();
     ImGui::SameLine();
     if (wide_button(context, "Cancel##overlap", half, false, "Everything stays as it was (Esc)")) offer.dismiss();
     if (wide_button(context, "Show by drawing##overlap", -1, offer.shows(),

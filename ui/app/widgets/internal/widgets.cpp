@@ -234,6 +234,18 @@ bool action_button(PanelContext& context, Action action, float width, bool chose
   return true;
 }
 
+bool tool_button(PanelContext& context, Action action, float width, bool words, bool chosen, ButtonWeight weight,
+                 const char* label) {
+  const std::string own(info(action).label);
+  const std::string tip = context.actions.keys().tooltip_of(action);
+  ButtonLook look{width, chosen, tip.c_str(), icon_of(action), words};
+  look.left_aligned = words;
+  look.weight = weight;
+  if (!icon_button(context, label != nullptr ? label : own.c_str(), look)) return false;
+  context.actions.run(action);
+  return true;
+}
+
 bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
   // Edges on whole px, so that neighbours leave no line between them.
   const auto edge = [](double at) { return static_cast<float>(std::floor(at)); };

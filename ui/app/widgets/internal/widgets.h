@@ -50,6 +50,9 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
 /// A button of an action with its tooltip; does it when pressed.
 bool action_button(PanelContext& context, Action action, float width = 0, bool chosen = false,
                    const char* label = nullptr, ButtonWeight weight = ButtonWeight::ordinary);
+/// A quiet button of an action in a toolbar: its word beside its icon, or the icon alone.
+bool tool_button(PanelContext& context, Action action, float width, bool words, bool chosen = false,
+                 ButtonWeight weight = ButtonWeight::quiet, const char* label = nullptr);
 /// Says what the last item is for, once the pointer has rested on it, where it covers no neighbour.
 void tooltip(PanelContext& context, const char* text);
 /// A line of text in the middle of a row of buttons.

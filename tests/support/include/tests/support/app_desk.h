@@ -82,6 +82,11 @@ class Desk {
     frames();
     return true;
   }
+  /// Opens the menu and the section that has an entry.
+  void open_menu(const std::string& section) {
+    click("Menu");
+    click(section + "##section");
+  }
   void press(std::uint32_t key, bool ctrl = false, bool shift = false) {
     app->of<Actions>().press({key, ctrl, shift});
     frames();
