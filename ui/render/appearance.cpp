@@ -98,8 +98,8 @@ void take_look(const document::Model& model, Appearance& appearance) {
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
       const std::uint32_t s = look->surface_of[t];
       const document::Surface& surface = look->surfaces[s];
-      const bool plain =
-          !surface.texture && !surface.unlit && look->colors.empty() && s == look->surface_of[part.first_triangle];
+      const bool plain = !surface.texture && !surface.unlit && !surface.toon && look->colors.empty() &&
+                         s == look->surface_of[part.first_triangle];
       if (plain) continue;
       if (triangles[s].empty()) part_of[s] = p;
       triangles[s].push_back(t);

@@ -30,6 +30,7 @@ class MeshPass {
  private:
   MeshPass(const GlDialect& dialect, GlProgram surface, GlProgram wire, LookPass looks);
   void upload_shape(const Scene& scene);
+  void upload_finish(const Scene& scene);
   void upload_pose(const Scene& scene);
   void upload_overlay(const Scene& scene);
 
@@ -44,6 +45,8 @@ class MeshPass {
   unsigned normals_ = 0;
   unsigned finish_ = 0;
   unsigned overlay_ = 0;
+  unsigned light_ = 0;
+  bool matcap_ = false;
   std::size_t opaque_count_ = 0;  ///< indices
   std::size_t translucent_count_ = 0;
   std::size_t edge_count_ = 0;
