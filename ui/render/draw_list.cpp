@@ -176,6 +176,12 @@ std::vector<Bytes4> vertex_light(const Scene& scene) {
   return light;
 }
 
+bool has_toon(const DrawList& list, const Appearance* appearance) {
+  return std::any_of(list.batches.begin(), list.batches.end(), [&](const DrawList::Batch& batch) {
+    return appearance->look->surfaces[batch.of.surface].toon.has_value();
+  });
+}
+
 bool has_outline(const document::Surface& surface) {
   return surface.toon && surface.toon->outline != document::OutlineWidth::none && surface.toon->outline_width > 0 &&
          surface.alpha != document::AlphaMode::blend;

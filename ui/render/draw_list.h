@@ -76,6 +76,8 @@ using VertexFinish = std::array<Bytes4, 2>;
 /// What reaches a vertex: how much of the sky (Appearance::light), how much of it is the wet front of an eye; two bytes
 /// that say nothing.
 [[nodiscard]] std::vector<Bytes4> vertex_light(const Scene& scene);
+/// Whether anything of it has two tones, which creases must not soil.
+[[nodiscard]] bool has_toon(const DrawList& list, const Appearance* appearance);
 /// Whether a line is drawn around it.
 [[nodiscard]] bool has_outline(const document::Surface& surface);
 /// How far an outline stands out in a view's units: everywhere, and for each unit of distance.

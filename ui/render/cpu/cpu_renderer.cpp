@@ -248,7 +248,7 @@ base::Status CpuRenderer::State::draw_surfaces(const Scene& scene, const geometr
       draw_pass(scene, camera, pass);
       add_pass();
     }
-    if (occlude && !scene.triangles.empty()) draw_occlusion(scene, camera);
+    if (occlude && !scene.triangles.empty() && !has_toon(list, scene.appearance)) draw_occlusion(scene, camera);
     return base::Done{};
   }
   if (!same) {

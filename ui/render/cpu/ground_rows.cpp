@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/render/baked_light.h"
 #include "ui/render/cpu/mixing.h"
+#include "ui/render/light/baked_light.h"
 
 namespace penpose::render {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/render/ground_view.h"
+#include "ui/render/light/ground_view.h"
 #include "ui/render/picture/image.h"
 
 namespace penpose::render {

@@ -228,7 +228,7 @@ base::Status GlRenderer::draw_picture(const Scene& scene, const geometry::Camera
   s.last = now;
   s.still = now.numbered();
   s.draw_still(scene, view, camera.viewport(), same);
-  if (s.occludes() && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
+  if (s.occludes() && !scene.triangles.empty() && !s.mesh.has_toon()) s.draw_occlusion(view, camera.viewport());
   s.targets.begin_picture();
   if (s.curve_pass) s.curve_pass->draw(scene.curves, camera);
   if (s.curve_layer) s.curve_layer->draw(scene.curves, camera, s.screen);

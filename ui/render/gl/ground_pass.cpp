@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "ui/render/baked_light.h"
 #include "ui/render/gl/shaders.h"
-#include "ui/render/ground_view.h"
+#include "ui/render/light/baked_light.h"
+#include "ui/render/light/ground_view.h"
 
 namespace penpose::render {
 namespace {

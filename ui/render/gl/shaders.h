@@ -149,7 +149,7 @@ vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float o
                      0.3);
   color += sky * lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25),
                      0.0);
-  color *= occlude;
+  color *= 1.15 * occlude;
   // A soft shoulder: white things keep their shading.
   return color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
 }
@@ -338,7 +338,8 @@ void main() {
     float near = max(1.0 - dd / (radius * radius), 0.0);
     sum += near * max(dot(d, n) - 0.012 * radius, 0.0) / (dd + 0.0004 * radius * radius) * radius;
   }
-  float open = clamp(1.0 - 0.75 * sum / float(count), 0.0, 1.0);
+  // What is only a little curved is no crease.
+  float open = clamp(1.08 - 0.75 * sum / float(count), 0.0, 1.0);
   result = vec4(vec3(open), 1.0);
 }
 )";

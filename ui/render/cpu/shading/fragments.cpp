@@ -120,7 +120,7 @@ void add_light(const Fragments& f, Prepared& p, const Light& light, int from, in
 
 /// A soft shoulder keeps the shading of white things; then the square root, by which the table of sRGB goes.
 inline float shoulder(float color, float open) {
-  const float c = color * open;
+  const float c = 1.15F * color * open;
   return c * (1.0F + c * 0.35F) / (1.0F + c * 0.62F);
 }
 

@@ -49,6 +49,7 @@ void MeshPass::order(const Scene& scene, const View& view) {
 
 void MeshPass::upload_shape(const Scene& scene) {
   list_ = make_draw_list(scene);
+  toon_ = render::has_toon(list_, scene.appearance);
   // Opaque triangles, then translucent ones, then those of the look, then the edges.
   std::vector<std::uint32_t> indices;
   indices.reserve(scene.triangles.size() * 3 + list_.edges.size() * 2);

@@ -1,4 +1,4 @@
-#include "ui/render/ground_view.h"
+#include "ui/render/light/ground_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/render/baked_light.h"
+#include "ui/render/light/baked_light.h"
 
 #include <algorithm>
 #include <cmath>
