@@ -51,6 +51,23 @@ struct TextureUse {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// In which measure an outline is wide: not at all, in model units, or in heights of the picture.
+enum class OutlineWidth : std::uint8_t { none, world, screen };
+
+/// A surface in two tones with a line around it, as in drawn films (MToon of VRM 0.x and VRM 1.0). Colours are linear
+/// RGB, 0..1.
+struct Toon {
+  std::array<double, 3> shade_color{1, 1, 1};
+  std::optional<TextureUse> shade_texture;  ///< multiplies the shade; a picture of the base colour does not
+  double shift = 0;                         ///< where the tones meet, -1..1: above zero more of it is lit
+  double toony = 0.9;                       ///< 0 a soft change between them .. 1 a sharp one
+  OutlineWidth outline = OutlineWidth::none;
+  double outline_width = 0;                     ///< in the measure of `outline`
+  std::optional<TextureUse> outline_texture{};  ///< its green says how much of the width
+  std::array<double, 3> outline_color{0, 0, 0};
+  double outline_mix = 1;  ///< 0: the outline has its colour alone .. 1: times that of the surface
+};
+
 /// What some triangles look like. Colour is linear RGBA, 0..1.
 struct Surface {
   std::string name;
@@ -60,6 +77,7 @@ struct Surface {
   double alpha_cutoff = 0.5;  ///< of AlphaMode::mask
   bool double_sided = false;
   bool unlit = false;
+  std::optional<Toon> toon{};  ///< in place of light
 };
 
 /// What a model looks like beyond its shape.

@@ -228,7 +228,32 @@ constexpr std::array k_actions{
     ActionInfo{{"wireframe"}, "Wire", shift('z'), {}, "Show the edges of the mesh",
      "M4 18L12 4L20 18Z M8 11L16 11L12 18Z", does([](CanvasLook& look) { flip(look.wireframe); })},
     ActionInfo{{"clay"}, "Clay", shift('c'), {}, "Show the shape alone, without textures and colours",
-     "C12 12 8A12 12 4 180 270", does([](CanvasLook& look) { flip(look.clay); })},
+     "C12 12 8A12 12 4 180 270",
+     does([](CanvasLook& look) {
+       flip(look.clay);
+       look.matcap = false;
+     })},
+    ActionInfo{{"matcap"}, "Matcap", {}, {},
+     "Show the shape in the light of a ball: every bump is seen from every side",
+     "C12 12 8C9.5 8.5 2.5A12 12 5.5 10 80",
+     does([](CanvasLook& look) {
+       flip(look.matcap);
+       look.clay = false;
+     })},
+    ActionInfo{{"textured"}, "Textured", {}, {}, "Show textures and colours of the file again",
+     "M4 4L20 4L20 20L4 20ZM4 12L20 12M12 4L12 20", does([](CanvasLook& look) { look.clay = look.matcap = false; }),
+     does([](const CanvasLook& look) { return look.clay || look.matcap; })},
+    ActionInfo{{"soft_shadows"}, "Soft shadows", {}, {},
+     "Shade in cavities and on the ground; a slow computer does without",
+     "A12 9 6 180 360M4 19L20 19M8 16L16 16M6 9L18 9",
+     does([](Preferences& preferences) {
+       flip(preferences.settings().soft_shadows);
+       preferences.changed();
+     })},
+    ActionInfo{{"model_notes"}, "Model notes", {}, {},
+     "What was noticed about the model when it was opened: textures that cannot be drawn, parts that were left out",
+     "M6 3L18 3L18 21L6 21ZM9 8L15 8M9 12L15 12M9 16L13 16",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog{"model notes"}); })},
     ActionInfo{{"suggest_rest"}, "Suggest", plain('g'), {},
      "Suggest the rest of the face from the poses that are keyed",
      "M12 3L14 10L21 12L14 14L12 21L10 14L3 12L10 10Z", does<suggest_rest>},

@@ -123,6 +123,8 @@ void App::advance() {
   const bool shown = laid_out_ && last_frame_us_ != 0;
   const std::int64_t passed = now - std::max(last_frame_us_, player_.began_us);
   last_frame_us_ = now;
+  // Nobody reads what stands behind a dialog.
+  if (!(dialogs_.open() == Dialog::none)) notices_.wait();
   notices_.expire();
   canvas_.commit();
   // Before the first frame nothing is known of what is hit, and keys would do nothing.

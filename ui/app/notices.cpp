@@ -21,6 +21,11 @@ void Notices::tell(std::string text, bool is_error) {
   if (all_.size() > k_most_notices) all_.erase(all_.begin());
 }
 
+void Notices::wait() {
+  const std::int64_t until = clock_() + k_notice_us;
+  for (Notice& one : all_) one.until_us = until;
+}
+
 void Notices::expire() {
   const std::int64_t now = clock_();
   std::erase_if(all_, [&](const Notice& one) { return one.until_us <= now; });

@@ -30,6 +30,8 @@ class Notices {
   void take_away(const Test& test) {
     std::erase_if(all_, test);
   }
+  /// Something hides it: what is said now stays its full time from here on.
+  void wait();
   /// Takes away what was said long enough.
   void expire();
   [[nodiscard]] const std::vector<Notice>& all() const { return all_; }

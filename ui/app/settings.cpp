@@ -132,6 +132,7 @@ using View = std::string_view;
 constexpr std::array k_lines{
     Line{"scale", take_scale},
     Line{"light", [](Settings& to, View value) { return take_flag(to.light, value); }},
+    Line{"soft_shadows", [](Settings& to, View value) { return take_flag(to.soft_shadows, value); }},
     Line{"steps_seen", [](Settings& to, View value) { return take_flag(to.steps_seen, value); }},
     Line{"pose_first", [](Settings& to, View value) { return take_flag(to.pose_first, value); }},
     Line{"density", [](Settings& to, View value) { return take_one(to.density, value, 3); }},
@@ -187,6 +188,7 @@ std::string to_text(const Settings& settings) {
   const auto flag = [](bool on) { return on ? std::string("1\n") : std::string("0\n"); };
   std::string text = "scale=" + base::format_double(settings.scale) + "\n";
   text += "light=" + flag(settings.light);
+  text += "soft_shadows=" + flag(settings.soft_shadows);
   text += "steps_seen=" + flag(settings.steps_seen);
   text += "pose_first=" + flag(settings.pose_first);
   text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";

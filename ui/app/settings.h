@@ -23,8 +23,9 @@ enum class Density : std::uint8_t { compact, usual, touch };
 struct Settings {
   double scale = 1;  ///< on top of the display's own, 0.5..3
   bool light = false;
-  bool steps_seen = false;  ///< the first steps were shown
-  bool pose_first = false;  ///< Pose is in hand at first, not Draw: what was last taken of the two
+  bool soft_shadows = true;  ///< in cavities and on the ground
+  bool steps_seen = false;   ///< the first steps were shown
+  bool pose_first = false;   ///< Pose is in hand at first, not Draw: what was last taken of the two
   Density density = Density::usual;
   Stabiliser stabiliser = Stabiliser::light;
   int rate = k_usual_rate;  ///< frames a second of what has none of its own

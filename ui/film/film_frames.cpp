@@ -81,6 +81,7 @@ base::Result<render::Image> draw_frame(const FilmFrames& frames, int frame, rend
   render::Scene scene = render::scene_of(*moment, posed, appearance);
   scene.wireframe = look.wireframe;
   scene.clay = look.clay;
+  scene.matcap = look.matcap;
   if (look.light) scene.background = light_background();
   auto image = renderer.render(scene, look.camera);
   if (!image || !look.part) return image;

@@ -27,8 +27,9 @@ struct FrameLook {
   geometry::Camera camera;
   std::optional<PxPart> part{};  ///< of what the camera shows; nothing: all of it
   bool wireframe = false;
-  bool clay = false;   ///< without textures and colours of vertices
-  bool light = false;  ///< on light_background()
+  bool clay = false;    ///< without textures and colours of vertices
+  bool light = false;   ///< on light_background()
+  bool matcap = false;  ///< render::Scene::matcap
 };
 
 /// The frames of a document's timeline or, where nothing is keyed, of its model's first animation.

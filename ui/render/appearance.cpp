@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <string>
 
 #include "core/rig/surface_poser.h"
 
@@ -98,8 +100,8 @@ void take_look(const document::Model& model, Appearance& appearance) {
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
       const std::uint32_t s = look->surface_of[t];
       const document::Surface& surface = look->surfaces[s];
-      const bool plain =
-          !surface.texture && !surface.unlit && look->colors.empty() && s == look->surface_of[part.first_triangle];
+      const bool plain = !surface.texture && !surface.unlit && !surface.toon && look->colors.empty() &&
+                         s == look->surface_of[part.first_triangle];
       if (plain) continue;
       if (triangles[s].empty()) part_of[s] = p;
       triangles[s].push_back(t);
@@ -122,6 +124,71 @@ void take_look(const document::Model& model, Appearance& appearance) {
     appearance.look_triangles.insert(appearance.look_triangles.end(), triangles[s].begin(), triangles[s].end());
   }
   if (!appearance.batches.empty()) appearance.look = look;
+}
+
+/// An eye that has an iris of its own keeps this distance from the axis: it is wet, and nothing is painted on it.
+constexpr float k_no_iris = 0.7F;
+
+/// Whether nothing in the file paints an iris on it: all of it has one colour and no picture.
+bool is_blank(const document::Model& model, const Appearance& appearance, std::uint32_t component) {
+  const mesh::TriangleMesh& mesh = *model.mesh;
+  if (model.look && !model.look->colors.empty()) return false;
+  for (const LookBatch& batch : appearance.batches) {
+    const document::Surface& surface = model.look->surfaces[batch.surface];
+    if (!surface.texture && !surface.toon && !surface.unlit) continue;
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+      if (mesh.components()[mesh.triangles()[appearance.look_triangles[i]][0]] == component) return false;
+    }
+  }
+  std::optional<std::uint16_t> surface;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.components()[v] != component) continue;
+    if (surface && *surface != appearance.surface_of_vertex[v]) return false;
+    surface = appearance.surface_of_vertex[v];
+  }
+  return true;
+}
+
+std::vector<Eye> eyes_by_name(const document::Model& model, std::span<const geometry::ModelPoint> rest) {
+  const mesh::TriangleMesh& mesh = *model.mesh;
+  std::vector<bool> called(rest.size(), false);
+  bool some = false;
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const mesh::Part& part = mesh.parts()[p];
+    std::string material;
+    if (model.look && part.triangle_count > 0 && part.first_triangle < model.look->surface_of.size()) {
+      const std::uint32_t s = model.look->surface_of[part.first_triangle];
+      if (s < model.look->surfaces.size()) material = model.look->surfaces[s].name;
+    }
+    if (!names_eyeball(part.name) && !names_eyeball(material)) continue;
+    some = true;
+    std::fill_n(called.begin() + part.first_vertex, part.vertex_count, true);
+  }
+  return some ? find_called_eyes(mesh, rest, called) : std::vector<Eye>();
+}
+
+/// How far each vertex of an eyeball is from where it looks, so that it is wet, and an iris where it has none.
+void add_gaze(const document::Model& model, std::span<const geometry::ModelPoint> rest, const FaceParts& face,
+              Appearance& appearance) {
+  std::vector<Eye> eyes = face.eyes.empty() ? eyes_by_name(model, rest) : face.eyes;
+  if (face.eyes.empty() && eyes.size() != 2) return;
+  const geometry::ModelVector forward =
+      eyes.size() == 2 ? forward_of(eyes[0], eyes[1], rest) : geometry::ModelVector{0};
+  const auto components = model.mesh->components();
+  for (Eye& eye : eyes) {
+    if (!face.eyes.empty() && face.kind_of_component[eye.component] != PartKind::eyeball) continue;
+    if (eye.gaze == geometry::ModelVector{0}) eye.gaze = forward;
+    if (eye.gaze == geometry::ModelVector{0}) continue;
+    const float nearest = is_blank(model, appearance, eye.component) ? 0.0F : k_no_iris;
+    appearance.gaze.resize(rest.size(), 1.0F);
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+      if (components[v] != eye.component) continue;
+      const geometry::ModelVector d = rest[v] - eye.center;
+      const double along = glm::dot(d, eye.gaze);
+      const double away = geometry::length(d - eye.gaze * along) / eye.radius;
+      appearance.gaze[v] = along > 0 ? std::clamp(static_cast<float>(away), nearest, 1.0F) : 1.0F;
+    }
+  }
 }
 
 }  // namespace
@@ -163,18 +230,8 @@ Appearance make_appearance(const document::Model& model, const AppearanceOptions
     }
   }
   if (!face.eyes.empty()) fade_lashes(mesh, rest, face, look.opacity);
-  for (const Eye& eye : face.eyes) {
-    if (face.kind_of_component[eye.component] != PartKind::eyeball || eye.gaze == geometry::ModelVector{0}) continue;
-    look.gaze.resize(mesh.vertex_count(), 1.0F);
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (mesh.components()[v] != eye.component) continue;
-      const geometry::ModelVector d = rest[v] - eye.center;
-      const double along = glm::dot(d, eye.gaze);
-      const double away = geometry::length(d - eye.gaze * along) / eye.radius;
-      look.gaze[v] = along > 0 ? static_cast<float>(std::min(away, 1.0)) : 1.0F;
-    }
-  }
   take_look(model, look);
+  if (options.recognise) add_gaze(model, rest, face, look);
   return look;
 }
 

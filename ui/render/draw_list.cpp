@@ -27,7 +27,7 @@ bool appearance_fits(const Appearance& look, std::size_t vertices, std::size_t t
   const auto known = [&](std::uint16_t s) { return s < look.surfaces.size(); };
   const auto fits = [&](std::size_t size) { return size == 0 || size == vertices; };
   return !look.surfaces.empty() && fits(look.surface_of_vertex.size()) && fits(look.gaze.size()) &&
-         fits(look.opacity.size()) &&
+         fits(look.opacity.size()) && (!look.light || fits(look.light->sky.size())) &&
          std::all_of(look.surface_of_vertex.begin(), look.surface_of_vertex.end(), known) &&
          look_fits(look, vertices, triangles);
 }
@@ -48,7 +48,8 @@ base::Result<SceneChanges> SceneTracker::look_at(const Scene& scene) {
   }
   SceneChanges changes;
   changes.shape = scene.shape_number == 0 || scene.shape_number != shape_ || count != vertices_ ||
-                  scene.triangles.size() != triangles_ || (scene.wireframe && !edges_) || scene.clay != clay_;
+                  scene.triangles.size() != triangles_ || (scene.wireframe && !edges_) || scene.clay != clay_ ||
+                  scene.matcap != matcap_;
   if (changes.shape) {
     if (scene.appearance != nullptr && !appearance_fits(*scene.appearance, count, scene.triangles.size())) {
       return base::Error{"the appearance does not fit the vertices", "scene", "make it from this mesh"};
@@ -66,6 +67,7 @@ base::Result<SceneChanges> SceneTracker::look_at(const Scene& scene) {
   vertices_ = count;
   triangles_ = scene.triangles.size();
   clay_ = scene.clay;
+  matcap_ = scene.matcap;
   shape_ = scene.shape_number;
   pose_ = scene.pose_number;
   overlay_ = scene.overlay_number;
@@ -76,7 +78,7 @@ base::Result<SceneChanges> SceneTracker::look_at(const Scene& scene) {
 DrawList make_draw_list(const Scene& scene) {
   DrawList list;
   const Appearance* appearance = scene.appearance;
-  const bool looks = appearance != nullptr && appearance->look && !scene.clay;
+  const bool looks = appearance != nullptr && appearance->look && !scene.clay && !scene.matcap;
   std::vector<bool> is_of_look(looks ? scene.triangles.size() : 0, false);
   if (looks) {
     for (const std::uint32_t t : appearance->look_triangles) is_of_look[t] = true;
@@ -152,12 +154,43 @@ std::vector<VertexFinish> vertex_finish(const Scene& scene) {
   const bool gaze = look != nullptr && !look->gaze.empty();
   const bool opacity = look != nullptr && !look->opacity.empty();
   for (std::size_t v = 0; v < finish.size(); ++v) {
-    const Surface& surface = surface_of(scene, v);
+    Surface surface = surface_of(scene, v);
+    // Of a ball's light only lashes and films keep their own colour.
+    if (scene.matcap && surface.base_color.a >= 1) surface.base_color = {1, 1, 1, 1};
     finish[v] = {pack(surface.base_color),
                  Bytes4{to_byte(surface.roughness), to_byte(surface.metallic), to_byte(gaze ? look->gaze[v] : 1.0F),
                         to_byte(opacity ? look->opacity[v] : 1.0F)}};
   }
   return finish;
+}
+
+std::vector<Bytes4> vertex_light(const Scene& scene) {
+  std::vector<Bytes4> light(scene.positions.size(), Bytes4{255, 0, 0, 0});
+  const Appearance* look = scene.appearance;
+  if (look == nullptr) return light;
+  const bool baked = look->light && !look->light->sky.empty();
+  for (std::size_t v = 0; v < light.size(); ++v) {
+    if (baked) light[v][0] = look->light->sky[v];
+    if (!look->gaze.empty()) light[v][1] = to_byte((0.97F - look->gaze[v]) / 0.07F);
+  }
+  return light;
+}
+
+bool has_toon(const DrawList& list, const Appearance* appearance) {
+  return std::any_of(list.batches.begin(), list.batches.end(), [&](const DrawList::Batch& batch) {
+    return appearance->look->surfaces[batch.of.surface].toon.has_value();
+  });
+}
+
+bool has_outline(const document::Surface& surface) {
+  return surface.toon && surface.toon->outline != document::OutlineWidth::none && surface.toon->outline_width > 0 &&
+         surface.alpha != document::AlphaMode::blend;
+}
+
+glm::vec2 outline_reach(const document::Toon& toon, const View& view) {
+  const auto width = static_cast<float>(toon.outline_width);
+  if (toon.outline == document::OutlineWidth::world) return {width * view.scale, 0};
+  return {0, width * 2 * view.image_plane.y};
 }
 
 std::vector<Bytes4> vertex_tint(const document::Look& look, std::size_t vertex_count) {

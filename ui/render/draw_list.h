@@ -32,6 +32,7 @@ class SceneTracker {
   std::uint64_t shape_ = 0, pose_ = 0, overlay_ = 0;
   bool overlay_is_clear_ = false;
   bool clay_ = false;
+  bool matcap_ = false;
   bool edges_ = false;
 };
 
@@ -72,6 +73,15 @@ struct TextureTransform {
 /// What of a vertex its surface says: base colour as `pack` gives it, and roughness, metallic, gaze and opacity.
 using VertexFinish = std::array<Bytes4, 2>;
 [[nodiscard]] std::vector<VertexFinish> vertex_finish(const Scene& scene);
+/// What reaches a vertex: how much of the sky (Appearance::light), how much of it is the wet front of an eye; two bytes
+/// that say nothing.
+[[nodiscard]] std::vector<Bytes4> vertex_light(const Scene& scene);
+/// Whether anything of it has two tones, which creases must not soil.
+[[nodiscard]] bool has_toon(const DrawList& list, const Appearance* appearance);
+/// Whether a line is drawn around it.
+[[nodiscard]] bool has_outline(const document::Surface& surface);
+/// How far an outline stands out in a view's units: everywhere, and for each unit of distance.
+[[nodiscard]] glm::vec2 outline_reach(const document::Toon& toon, const View& view);
 /// The look's colours of vertices as `pack` gives them; white where it has none.
 [[nodiscard]] std::vector<Bytes4> vertex_tint(const document::Look& look, std::size_t vertex_count);
 

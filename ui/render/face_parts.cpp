@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 
 #include "core/algebra/elimination.h"
+#include "core/base/text/letters.h"
 #include "core/mesh/topology.h"
 
 namespace penpose::render {
@@ -187,6 +189,46 @@ FaceParts recognise_face_parts(const mesh::TriangleMesh& mesh, std::span<const M
   for (const Eye& eye : found.eyes) found.kind_of_component[eye.component] = PartKind::eyeball;
   find_teeth(parts, body, found.kind_of_component);
   return found;
+}
+
+std::vector<Eye> find_called_eyes(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> positions,
+                                  const std::vector<bool>& called) {
+  constexpr double k_called_rms = 0.12;
+  std::vector<Component> parts(mesh.component_count());
+  std::vector<bool> all(mesh.component_count(), true);
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    const std::uint32_t c = mesh.components()[v];
+    if (!called[v]) all[c] = false;
+    if (!all[c]) continue;
+    parts[c].vertices.push_back(v);
+    parts[c].box.add(positions[v]);
+  }
+  std::vector<Eye> eyes;
+  for (std::uint32_t c = 0; c < parts.size(); ++c) {
+    const auto sphere = all[c] ? fit_sphere(parts[c], positions) : std::nullopt;
+    if (sphere && sphere->rms < k_called_rms) eyes.push_back({c, sphere->center, sphere->radius, ModelVector{0}});
+  }
+  return eyes;
+}
+
+bool names_eyeball(std::string_view name) {
+  const std::string low = base::lower_case(name);
+  if (low.find("eye") == std::string::npos) return false;
+  const auto is_beside = [&](std::string_view word) { return low.find(word) != std::string::npos; };
+  constexpr std::array<std::string_view, 14> k_beside{"brow", "lash", "lid",  "glass",  "wear",      "shadow", "shell",
+                                                      "line", "tear", "duct", "socket", "occlusion", "blink",  "fluid"};
+  return std::none_of(k_beside.begin(), k_beside.end(), is_beside);
+}
+
+ModelVector forward_of(const Eye& one, const Eye& other, std::span<const ModelPoint> positions) {
+  const ModelVector across = other.center - one.center;
+  const ModelPoint middle = one.center + across * 0.5;
+  const ModelVector ahead = geometry::normalized(glm::cross(across, ModelVector{0, 1, 0}), ModelVector{0});
+  ModelVector head{0};
+  for (const ModelPoint& p : positions) {
+    if (geometry::distance(p, middle) < 3 * geometry::length(across)) head += middle - p;
+  }
+  return glm::dot(head, ahead) < 0 ? -ahead : ahead;
 }
 
 }  // namespace penpose::render

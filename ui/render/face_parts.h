@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/mesh/triangle_mesh.h"
@@ -40,5 +41,18 @@ struct FaceParts {
 /// `positions`: world positions at rest, one a vertex.
 [[nodiscard]] FaceParts recognise_face_parts(const mesh::TriangleMesh& mesh,
                                              std::span<const geometry::ModelPoint> positions);
+
+/// Eyeballs by what the file calls them ("EyeLeft", "Wolf3D_Eye"): components, also open ones, all of whose vertices
+/// are `called` so and lie on a sphere (rms deviation below 12 % of the radius), with their gaze zero. `called`: one a
+/// vertex.
+[[nodiscard]] std::vector<Eye> find_called_eyes(const mesh::TriangleMesh& mesh,
+                                                std::span<const geometry::ModelPoint> positions,
+                                                const std::vector<bool>& called);
+/// Whether a name is that of an eyeball, and not of lids, lashes, brows, glasses or shadows about it.
+[[nodiscard]] bool names_eyeball(std::string_view name);
+/// Where two eyes look that have no bulge: away from the head, at a right angle to the line between them. `positions`
+/// are of the whole model, y points up.
+[[nodiscard]] geometry::ModelVector forward_of(const Eye& one, const Eye& other,
+                                               std::span<const geometry::ModelPoint> positions);
 
 }  // namespace penpose::render

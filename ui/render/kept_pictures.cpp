@@ -18,19 +18,25 @@ std::uint64_t px_within(std::uint64_t width, std::uint64_t height, int most_px) 
 std::vector<WantedPicture> wanted_pictures(const document::Look& look, std::span<const LookBatch> batches,
                                            std::uint64_t most_px) {
   std::vector<WantedPicture> all;
-  for (const LookBatch& batch : batches) {
-    const auto& use = look.surfaces[batch.surface].texture;
-    if (!use || use->image >= look.images.size()) continue;
+  const auto add = [&](const std::optional<document::TextureUse>& use, bool moves) {
+    if (!use || use->image >= look.images.size()) return;
     const auto known =
         std::find_if(all.begin(), all.end(), [&](const WantedPicture& one) { return one.image == use->image; });
-    if (known == all.end()) {
-      WantedPicture one;
-      one.image = use->image;
-      one.moves = batch.moves;
-      all.push_back(one);
-    } else {
-      known->moves = known->moves || batch.moves;
+    if (known != all.end()) {
+      known->moves = known->moves || moves;
+      return;
     }
+    WantedPicture one;
+    one.image = use->image;
+    one.moves = moves;
+    all.push_back(one);
+  };
+  for (const LookBatch& batch : batches) {
+    const document::Surface& surface = look.surfaces[batch.surface];
+    add(surface.texture, batch.moves);
+    if (!surface.toon) continue;
+    add(surface.toon->shade_texture, batch.moves);
+    if (surface.toon->outline != document::OutlineWidth::none) add(surface.toon->outline_texture, false);
   }
   std::uint64_t sum = 0;
   const auto measure = [&](WantedPicture& one) {

@@ -31,6 +31,16 @@ struct LookBatch {
   bool moves = false;  ///< blend shapes move something of it: its picture stays sharp where memory is short
 };
 
+/// Soft shadows of a model at rest, which cost a picture next to nothing (bake_light).
+struct BakedLight {
+  std::vector<std::uint8_t> sky;  ///< one a vertex: how much of the sky it sees, 255: all of it
+  /// Where it stands: a square on the ground around `ground`, and how dark it is in rows along z of columns along x.
+  static constexpr int k_ground_px = 64;
+  glm::vec3 ground{0};
+  float half_side = 0;                     ///< model units; zero: there is no ground
+  std::vector<std::uint8_t> ground_shade;  ///< 255: no light at all
+};
+
 /// How a mesh looks, apart from its pose. Vertices of one triangle share a surface.
 struct Appearance {
   std::vector<Surface> surfaces;
@@ -42,6 +52,7 @@ struct Appearance {
   std::shared_ptr<const document::Look> look{};  ///< pictures and colours that the file gives; null: none
   std::vector<std::uint32_t> look_triangles{};   ///< drawn as the look has it, a batch after the other
   std::vector<LookBatch> batches{};
+  std::shared_ptr<const BakedLight> light{};  ///< soft shadows; null: none
 };
 
 /// The three curves of a sketch and their colours: reference green, target blue, constraint red.
@@ -85,7 +96,8 @@ struct Scene {
   std::span<const CurveDrawing> curves;
   Background background;
   bool wireframe = false;
-  bool clay = false;  ///< without the pictures and colours of the appearance's look
+  bool clay = false;    ///< without the pictures and colours of the appearance's look
+  bool matcap = false;  ///< that, and lit as a ball is: the same light wherever a surface looks the same way
 
   std::uint64_t shape_number = 0;  ///< of triangles and appearance
   std::uint64_t pose_number = 0;   ///< of positions and normals

@@ -31,6 +31,7 @@ class PictureSource {
   bool has_overlay_ = false;
   bool wireframe_ = false;
   bool clay_ = false;
+  bool matcap_ = false;
   Background background_;
   geometry::CameraPose camera_;
   geometry::Viewport viewport_;

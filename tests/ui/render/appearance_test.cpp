@@ -33,6 +33,59 @@ TEST(Appearance, AKindThatIsGivenWins) {
   EXPECT_NE(look.surface_of_vertex.back(), look.surface_of_vertex.front());
 }
 
+/// A head of a box with two balls in it, and what the balls are called.
+mesh::MeshSource head_with_balls(const std::string& name) {
+  mesh::MeshSource source;
+  add_box(source, {0, 0, -4}, {6, 8, 5});
+  source.parts.push_back({"Head", 0, static_cast<std::uint32_t>(source.positions.size()), 0,
+                          static_cast<std::uint32_t>(source.triangles.size())});
+  for (const double side : {-1.0, 1.0}) {
+    const auto vertex = static_cast<std::uint32_t>(source.positions.size());
+    const auto triangle = static_cast<std::uint32_t>(source.triangles.size());
+    add_sphere(source, {side * 2.5, 1, 1}, 1.2, 12);
+    source.parts.push_back({name + (side < 0 ? "Left" : "Right"), vertex,
+                            static_cast<std::uint32_t>(source.positions.size()) - vertex, triangle,
+                            static_cast<std::uint32_t>(source.triangles.size()) - triangle});
+  }
+  return source;
+}
+
+TEST(Appearance, BlankEyeballsGetAnIrisWhereTheyLook) {
+  const document::Model model = model_of(head_with_balls("Eye"));
+  const Appearance look = make_appearance(model);
+  ASSERT_EQ(look.gaze.size(), model.mesh->vertex_count());
+  int pupils = 0;
+  for (std::size_t v = 8; v < look.gaze.size(); ++v) {
+    if (look.gaze[v] >= 0.19F) continue;
+    ++pupils;
+    EXPECT_GT(model.mesh->positions()[v].z, 2) << "out of the head";
+  }
+  EXPECT_GE(pupils, 2);
+  for (std::size_t v = 0; v < 8; ++v) EXPECT_EQ(look.gaze[v], 1.0F) << "skin";
+}
+
+TEST(Appearance, NothingIsPaintedOnEyesThatHaveAPicture) {
+  document::Model model = model_of(head_with_balls("Eye"));
+  document::Look look;
+  look.surfaces.resize(2);
+  look.surfaces[1].texture = document::TextureUse{};
+  look.images.resize(1);
+  look.surface_of.assign(model.mesh->triangle_count(), 1);
+  std::fill_n(look.surface_of.begin(), 12, 0);
+  model.look = std::make_shared<const document::Look>(look);
+  const Appearance made = make_appearance(model);
+  ASSERT_FALSE(made.gaze.empty());
+  const auto [least, most] = std::minmax_element(made.gaze.begin(), made.gaze.end());
+  EXPECT_FLOAT_EQ(*least, 0.7F) << "wet in front, without an iris of ours";
+  EXPECT_FLOAT_EQ(*most, 1.0F);
+}
+
+TEST(Appearance, BrowsAndLidsAreNoEyeballs) {
+  EXPECT_TRUE(names_eyeball("Wolf3D_Eye"));
+  for (const char* name : {"EyebrowLeft", "eyelashes", "EyeLid", "eyeGlasses", "Head"})
+    EXPECT_FALSE(names_eyeball(name)) << name;
+}
+
 TEST(SharedRender, EyesOfTheWholeFaceLookLikeEyes) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");

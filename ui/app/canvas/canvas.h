@@ -19,6 +19,7 @@ namespace penpose::app {
 struct CanvasLook {
   bool wireframe = false;
   bool clay = false;                   ///< without textures and colours of the file
+  bool matcap = false;                 ///< without them and lit as a ball is; never together with clay
   bool onion_skin = true;              ///< lines of the keys before and after
   bool fullscreen = false;             ///< of the window
   std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none

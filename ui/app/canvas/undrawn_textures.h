@@ -15,6 +15,8 @@ class UndrawnTextures {
  public:
   explicit UndrawnTextures(Notices& notices) : notices_(notices) {}
 
+  /// Those of the model that is open, each "NAME (why)".
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// Another model was opened.
   void begin(const document::Model& model);
   /// Of this look these could not be unpacked; nothing is told of a model that is no longer open.
@@ -28,5 +30,9 @@ class UndrawnTextures {
   std::vector<std::string> names_;
   std::string told_;
 };
+
+/// What was noticed about the model, a line each: textures that cannot be drawn, one by one, then what its file's
+/// reader said. The same line once.
+[[nodiscard]] std::vector<std::string> notes_of(const document::Model& model, const UndrawnTextures& undrawn);
 
 }  // namespace penpose::app

@@ -35,6 +35,7 @@ void show_sound_dialog(PanelContext&, EditingSession&, SoundTrack&, Files&, Pref
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
                             Dialogs&);
+void show_model_notes_dialog(PanelContext&, const EditingSession&, const UndrawnTextures&);
 
 namespace {
 
@@ -79,6 +80,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog{"keyboard"}, show<show_keyboard_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
+    DialogRow{Dialog{"model notes"}, show<show_model_notes_dialog>},
     DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},
 };
 

@@ -70,6 +70,12 @@ void show_view(PanelContext& context, const PreferencesDialogOwners& with) {
     settings.light = to == 1;
     with.preferences.changed();
   }
+  ImGui::TextUnformatted("Soft shadows, in cavities and on the ground: a slow computer does without");
+  const int shadows = one_of<2>(context, {"On##shadows", "Off##shadows"}, settings.soft_shadows ? 0 : 1);
+  if (shadows >= 0) {
+    settings.soft_shadows = shadows == 0;
+    with.preferences.changed();
+  }
   std::array<char, 80> size{};
   std::snprintf(size.data(), size.size(), "Size: %.0f %% of what the screen has by itself", 100 * settings.scale);
   ImGui::TextUnformatted(size.data());

@@ -73,6 +73,8 @@ std::vector<std::string> words_of(const FilmOrder& order, const std::string& fol
   if (order.numbers) add({"--numbers"});
   if (order.wireframe) add({"--wireframe"});
   if (order.clay) add({"--clay"});
+  if (order.matcap) add({"--matcap"});
+  if (order.shadows) add({"--shadows"});
   if (order.light) add({"--light"});
   if (order.sound == nullptr) {
     add({"--silent"});

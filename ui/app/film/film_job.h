@@ -27,6 +27,8 @@ struct FilmOrder {
   bool numbers = false;
   bool wireframe = false;
   bool clay = false;
+  bool matcap = false;
+  bool shadows = false;
   bool light = false;                   ///< the ground behind the model is
   const sound::Sound* sound = nullptr;  ///< null: none
   double sound_offset_s = 0;

@@ -59,6 +59,8 @@ bool FilmWriter::write(const std::string& path, const FilmEntry& entry) {
   order.numbers = entry.numbers;
   order.wireframe = with_.look.wireframe;
   order.clay = with_.look.clay;
+  order.matcap = with_.look.matcap;
+  order.shadows = with_.canvas.surface().appearance().light != nullptr;
   order.light = with_.preferences.settings().light;
   order.sound = with_.sound.sound();
   order.sound_offset_s = with_.sound.document_offset_s();

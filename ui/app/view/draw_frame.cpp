@@ -91,6 +91,7 @@ render::Scene scene_of(const DrawFrame& frame) {
   scene.curves = frame.curves;
   scene.wireframe = frame.wireframe;
   scene.clay = frame.clay;
+  scene.matcap = frame.matcap;
   scene.background = frame.background;
   scene.shape_number = frame.shape_number;
   scene.pose_number = frame.pose_number;
@@ -106,6 +107,7 @@ DrawFrame FrameMaker::make() {
   last_.background = {render::from_srgb(look.canvas_top), render::from_srgb(look.canvas_foot)};
   last_.wireframe = parts_.look.wireframe;
   last_.clay = parts_.look.clay;
+  last_.matcap = parts_.look.matcap;
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};
   DrawFrame frame = last_;
   frame.curves = parts_.drawing.curves;

@@ -24,6 +24,7 @@ struct DrawFrame {
   render::Behind behind;
   bool wireframe = false;
   bool clay = false;
+  bool matcap = false;
   std::uint64_t shape_number = 0;  ///< as render::Scene
   std::uint64_t pose_number = 0;
   std::uint64_t overlay_number = 0;

@@ -24,6 +24,12 @@ bool PosedSurface::update(const std::shared_ptr<const document::Model>& model, s
   return changed;
 }
 
+void PosedSurface::set_light(std::shared_ptr<const render::BakedLight> light) {
+  if (light == appearance_.light) return;
+  appearance_.light = std::move(light);
+  ++shape_number_;
+}
+
 std::vector<glm::vec3> PosedSurface::face_positions() const {
   std::vector<glm::vec3> at;
   at.reserve(face_.size());

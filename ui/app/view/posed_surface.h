@@ -25,6 +25,8 @@ class PosedSurface {
   [[nodiscard]] const document::Model& model() const { return *model_; }
   [[nodiscard]] const std::shared_ptr<const document::Model>& shared_model() const { return model_; }
   [[nodiscard]] const render::Appearance& appearance() const { return appearance_; }
+  /// Soft shadows of this model from now on; null: none.
+  void set_light(std::shared_ptr<const render::BakedLight> light);
   /// Where the vertices of a whole figure's face are now; empty: all of the model is the face (render::face_vertices).
   [[nodiscard]] std::vector<glm::vec3> face_positions() const;
   /// Numbers that change with the triangles and with the pose; never 0.

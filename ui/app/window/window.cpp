@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firmware_io/device/clock.h"
+#include "ui/app/canvas/soft_shadows.h"
 #include "ui/app/view/draw_thread.h"
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/screen.h"
@@ -279,14 +280,16 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   while (!drawing && !state_->untried.empty() && state_->start()) drawing = start_drawing();
   if (!drawing) return drawing.error();
   DrawThread* thread = drawing->get();
-  const Canvas& canvas = app.of<Canvas>();
+  Canvas& canvas = app.of<Canvas>();
   const CanvasLook& look = app.of<CanvasLook>();
+  const Preferences& preferences = app.of<Preferences>();
+  SoftShadows shadows([this] { wake(); });
   const Files& files = app.of<Files>();
   const EditingSession& editing = app.of<EditingSession>();
   UndrawnTextures& undrawn_textures = app.of<UndrawnTextures>();
   const Player& player = app.of<Player>();
   Leaving& leaving = app.of<Leaving>();
-  FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
+  FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), preferences});
   interface.share_clipboard({copied_text, [](const char* text) { SDL_SetClipboardText(text); }});
   SDL_StartTextInput();
   unsigned looks = 0;  // at the system's devices
@@ -345,6 +348,9 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       // Loading a model and compiling shaders leave much behind that nobody asks for again.
       files::give_back_memory();
     }
+    // Whoever waits for a first picture waits for nothing else, and a slow screen shows flat ones best.
+    const bool shaded = preferences.settings().soft_shadows && !state_->screen.slow();
+    if (timings.first_frame_us != 0) due = shadows.follow(canvas.surface(), shaded) || due;
     status = thread->status();
     if (!status) break;
     const Undrawn undrawn = thread->take_undrawn();

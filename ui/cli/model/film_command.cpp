@@ -23,6 +23,7 @@
 #include "ui/film/frame_name.h"
 #include "ui/film/write_film.h"
 #include "ui/render/appearance.h"
+#include "ui/render/light/baked_light.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::cli {
@@ -46,6 +47,8 @@ struct FilmOptions {
   bool silent = false;
   bool wireframe = false;
   bool clay = false;
+  bool matcap = false;
+  bool shadows = false;
   bool light = false;
   bool progress = false;
   std::string draw;
@@ -189,8 +192,9 @@ int run_film(const FilmOptions& options) {
   if (!first) return files::report(first.error(), options.model);
   const auto camera = make_camera(options.picture, *first, false);
   if (!camera) return files::report(camera.error(), options.picture.camera);
-  const render::Appearance appearance = render::make_appearance(*first);
-  const film::FrameLook look{*camera, *part, options.wireframe, options.clay, options.light};
+  render::Appearance appearance = render::make_appearance(*first);
+  if (options.shadows) appearance.light = render::bake_light(*first, appearance);
+  const film::FrameLook look{*camera, *part, options.wireframe, options.clay, options.light, options.matcap};
   const auto draw = [&](int frame) { return film::draw_frame(*frames, frame, **renderer, appearance, look); };
   std::optional<Progress> shown;
   const files::StopSignal stops;
@@ -237,6 +241,8 @@ void add_film_options(const Command& command, FilmOptions& options) {
   add_draw_option(command, options.draw);
   command.add_flag("--wireframe", options.wireframe, "draw the edges too");
   command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
+  command.add_flag("--matcap", options.matcap, "the shape in the light of a ball");
+  command.add_flag("--shadows", options.shadows, "with soft shadows, in cavities and on the ground");
   command.add_flag("--light", options.light, "on a light ground, as the window has it in light colours");
   command.add_flag("--progress", options.progress,
                    "print a line for each picture that is drawn: how many there are, and of how many");

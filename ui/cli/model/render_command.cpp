@@ -29,6 +29,7 @@
 #include "ui/files/process/kept_memory.h"
 #include "ui/film/frame_name.h"
 #include "ui/render/appearance.h"
+#include "ui/render/light/baked_light.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::cli {
@@ -49,6 +50,8 @@ struct RenderOptions {
   bool wireframe = false;
   bool plain = false;
   bool clay = false;
+  bool matcap = false;
+  bool shadows = false;
   bool curves = false;
   bool lines = false;
   std::string cases;
@@ -105,7 +108,7 @@ base::Result<std::vector<render::CurveDrawing>> case_curves(const RenderOptions&
 /// Says what cannot be drawn: what the file's reader knows, and what came out when it was drawn.
 void warn_of_undrawn(const RenderOptions& options, const document::Model& model, render::Renderer& renderer) {
   std::vector<std::string> undrawn = renderer.take_undrawn();
-  if (options.clay) return;
+  if (options.clay || options.matcap) return;
   if (model.look) undrawn.insert(undrawn.begin(), model.look->undrawn.begin(), model.look->undrawn.end());
   if (!undrawn.empty()) files::warn(document::undrawn_note(undrawn), options.model);
 }
@@ -125,6 +128,7 @@ int draw(const RenderOptions& options, const document::Model& model, render::Ren
   scene.curves = curves;
   scene.wireframe = options.wireframe;
   scene.clay = options.clay;
+  scene.matcap = options.matcap;
   const auto image = renderer.render(scene, camera);
   if (!image) return files::report(image.error(), options.model);
   const auto png = render::encode_png(*image);
@@ -224,7 +228,8 @@ int run_render(const RenderOptions& options) {
   if (options.lines) return draw_lines(options, *first, *camera);
   render::AppearanceOptions look;
   look.recognise = !options.plain;
-  const render::Appearance appearance = render::make_appearance(*first, look);
+  render::Appearance appearance = render::make_appearance(*first, look);
+  if (options.shadows) appearance.light = render::bake_light(*first, appearance);
   if (!options.frames) {
     const int status = draw(options, *first, **renderer, appearance, *camera, options.output);
     if (status == k_success) warn_of_undrawn(options, *first, **renderer);
@@ -276,6 +281,9 @@ void add_render_options(const Command& command, RenderOptions& options) {
   const Option wireframe = command.add_flag("--wireframe", options.wireframe, "draw the edges too");
   const Option clay =
       command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
+  const Option matcap = command.add_flag("--matcap", options.matcap, "the shape in the light of a ball");
+  const Option shadows =
+      command.add_flag("--shadows", options.shadows, "with soft shadows, in cavities and on the ground");
   const Option plain = command.add_flag("--plain", options.plain,
                                         "the file's materials only: do not tell eyes and teeth apart by shape");
   const Option curves = command.add_flag("--curves", options.curves, "draw the curves that the model carries");
@@ -285,7 +293,7 @@ void add_render_options(const Command& command, RenderOptions& options) {
   case_name.needs(cases);
   const Option lines = command.add_flag(
       "--lines", options.lines, "draw lines alone, as an SVG: the features of the face by their names, and contours");
-  for (const Option& other : {frames, wireframe, clay, plain, curves, cases}) lines.excludes(other);
+  for (const Option& other : {frames, wireframe, clay, matcap, shadows, plain, curves, cases}) lines.excludes(other);
   command.add_option("-o,--output", options.output, "PNG file to write, or SVG with --lines").required();
 }
 

@@ -6,7 +6,9 @@
 
 #include "ui/render/cpu/backdrop_rows.h"
 #include "ui/render/cpu/curve_ink.h"
+#include "ui/render/cpu/ground_rows.h"
 #include "ui/render/cpu/occlusion.h"
+#include "ui/render/cpu/outlines.h"
 #include "ui/render/cpu/shading/tile_drawer.h"
 #include "ui/render/cpu/triangles/changed_tiles.h"
 #include "ui/render/cpu/workers.h"
@@ -31,6 +33,8 @@ struct CpuRenderer::State {
   std::vector<VertexFinish> finish;
   std::vector<Bytes4> overlay;
   std::vector<Bytes4> tint;
+  std::vector<Bytes4> light;  ///< empty: nothing to say
+  Outlines outlines;
   std::shared_ptr<const document::Look> look;
   KeptPictures<TextureMap> textures;
   Behind behind;
@@ -44,16 +48,18 @@ struct CpuRenderer::State {
   Image backdrop;  ///< what is behind the model
   Background backdrop_colors;
   Behind backdrop_behind;
-  Image surfaces;                   ///< the picture without curves
-  std::vector<float> depths;        ///< inverse, of the first pass; empty: not asked for
-  std::vector<std::uint16_t> sums;  ///< of passes, one a byte of the picture
-  int passes = 0;                   ///< that the sums have
+  std::shared_ptr<const BakedLight> backdrop_ground;  ///< whose shade is in it; null: none
+  View backdrop_view;                                 ///< by which it was drawn
+  Image surfaces;                                     ///< the picture without curves
+  std::vector<float> depths;                          ///< inverse, of the first pass; empty: not asked for
+  std::vector<std::uint16_t> sums;                    ///< of passes, one a byte of the picture
+  int passes = 0;                                     ///< that the sums have
   bool still = false;
   PictureSource last;
 
   base::Status take(const Scene& scene);
   [[nodiscard]] std::vector<Segment> segments() const;
-  void draw_backdrop(const Background& colors, geometry::Viewport size);
+  void draw_backdrop(const Scene& scene, const View& view, geometry::Viewport size);
   void draw_pass(const Scene& scene, const geometry::Camera& camera, int pass, bool pose_alone = false);
   void add_pass();
   void draw_occlusion(const Scene& scene, const geometry::Camera& camera);
@@ -66,6 +72,9 @@ base::Status CpuRenderer::State::take(const Scene& scene) {
   if (changes->shape) {
     list = make_draw_list(scene);
     finish = vertex_finish(scene);
+    const Appearance* appearance = scene.appearance;
+    const bool some_light = appearance != nullptr && (appearance->light || !appearance->gaze.empty());
+    light = some_light ? vertex_light(scene) : std::vector<Bytes4>();
     const bool looks = !list.batches.empty();
     look = looks ? scene.appearance->look : nullptr;
     tint = looks ? vertex_tint(*look, scene.positions.size()) : std::vector<Bytes4>();
@@ -75,6 +84,7 @@ base::Status CpuRenderer::State::take(const Scene& scene) {
       textures.keep(*look, scene.appearance->batches, k_most_texture_px,
                     [](Image image) { return TextureMap(std::move(image)); });
     }
+    outlines.take(list, look.get(), textures, scene.positions.size());
   }
   if (changes->overlay) {
     overlay.resize(scene.overlay.size());
@@ -102,9 +112,13 @@ std::vector<Segment> CpuRenderer::State::segments() const {
     made.culls_back = !surface.double_sided;
     made.see_through = see_through;
     made.least_alpha = see_through ? k_nearly_clear : least_alpha(surface);
-    if (!surface.texture) return;
-    made.texture = textures.find(*look, *surface.texture);
-    made.place = transform_of(*surface.texture);
+    if (surface.texture) {
+      made.texture = textures.find(*look, *surface.texture);
+      made.place = transform_of(*surface.texture);
+    }
+    if (!surface.toon || !surface.toon->shade_texture) return;
+    made.shade_texture = textures.find(*look, *surface.toon->shade_texture);
+    made.shade_place = transform_of(*surface.toon->shade_texture);
   };
   add(list.opaque);
   for (const document::AlphaMode mode :
@@ -113,13 +127,24 @@ std::vector<Segment> CpuRenderer::State::segments() const {
       if (look->surfaces[batch.of.surface].alpha == mode) add_batch(batch, false);
     }
   }
+  for (const DrawList::Batch& batch : list.batches) {
+    if (!has_outline(look->surfaces[batch.of.surface])) continue;
+    add_batch(batch, false);
+    all.back().culls_back = false;
+    all.back().outline = true;
+    all.back().shift = static_cast<std::uint32_t>(finish.size());
+  }
   for (const std::size_t b : list.blended) add_batch(list.batches[b], true);
   add(list.translucent).see_through = true;
   return all;
 }
 
-void CpuRenderer::State::draw_backdrop(const Background& colors, geometry::Viewport size) {
-  const bool known = backdrop.width == size.width && backdrop.height == size.height && backdrop_behind == behind &&
+void CpuRenderer::State::draw_backdrop(const Scene& scene, const View& view, geometry::Viewport size) {
+  const Background& colors = scene.background;
+  // The ground is left out where the darkening of creases is.
+  const auto ground = occlude && !behind.image && scene.appearance != nullptr ? scene.appearance->light : nullptr;
+  const bool known = ground == backdrop_ground && (!ground || view == backdrop_view) && backdrop.width == size.width &&
+                     backdrop.height == size.height && backdrop_behind == behind &&
                      same_background(backdrop_colors, colors);
   if (known) return;
   backdrop.width = size.width;
@@ -128,10 +153,13 @@ void CpuRenderer::State::draw_backdrop(const Background& colors, geometry::Viewp
   backdrop.pixels.resize(row * static_cast<std::size_t>(size.height));
   backdrop_colors = colors;
   backdrop_behind = behind;
+  backdrop_ground = ground;
+  backdrop_view = view;
   for (int y = 0; y < size.height; ++y) {
     draw_backdrop_row(colors, behind, size, y, 0,
                       std::span(backdrop.pixels).subspan(static_cast<std::size_t>(y) * row, row));
   }
+  if (ground) draw_ground(*ground, view, backdrop);
 }
 
 void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& camera, int pass, bool pose_alone) {
@@ -141,14 +169,15 @@ void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& c
   if (goes_on && serves(first_view, raster.view)) raster.view = first_view;
   // Samples move one way, the picture the other; y counts downwards.
   raster.shift = {-k_smoothing_places[pass][0], k_smoothing_places[pass][1]};
-  draw_backdrop(scene.background, raster.size);
+  draw_backdrop(scene, raster.view, raster.size);
   order_blended(list, scene, raster.view, [](std::size_t) {});
   // What moved is told by the first pass of the picture before.
   const bool keeps = pass == 0 && smooths;
   std::vector<bool> changed;
   place_vertices(raster, scene.positions, scene.normals, vertices);
+  outlines.place(raster, scene.positions, scene.normals, vertices);
   if (keeps) {
-    if (pose_alone && raster.view == first_view && first_vertices.size() == vertices.size()) {
+    if (pose_alone && outlines.empty() && raster.view == first_view && first_vertices.size() == vertices.size()) {
       if (auto some = changed_tiles(list, raster.size, first_vertices, vertices)) changed = std::move(*some);
     }
     first_view = raster.view;
@@ -162,11 +191,12 @@ void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& c
   if (pass == 0) depths.assign(occlude ? px : 0, 0.0F);
   const TileScene shown{raster,
                         vertices,
-                        {finish, overlay, tint, look.get()},
+                        {finish, overlay, tint, light, look.get()},
                         items,
                         scene.wireframe ? std::span<const std::pair<std::uint32_t, std::uint32_t>>(list.edges)
                                         : std::span<const std::pair<std::uint32_t, std::uint32_t>>(),
-                        backdrop};
+                        backdrop,
+                        scene.matcap};
   std::vector<std::unique_ptr<TileDrawer>> drawers(workers.count());
   for (auto& one : drawers) one = std::make_unique<TileDrawer>(shown);
   workers.share(items.tile_count(), [&](int tile, unsigned worker) {
@@ -218,7 +248,7 @@ base::Status CpuRenderer::State::draw_surfaces(const Scene& scene, const geometr
       draw_pass(scene, camera, pass);
       add_pass();
     }
-    if (occlude && !scene.triangles.empty()) draw_occlusion(scene, camera);
+    if (occlude && !scene.triangles.empty() && !has_toon(list, scene.appearance)) draw_occlusion(scene, camera);
     return base::Done{};
   }
   if (!same) {

@@ -95,7 +95,7 @@ float Occlusion::open_at(int x, int y) const {
     sum += close * std::max(glm::dot(d, n) - 0.012F * k_occlusion_radius, 0.0F) /
            (dd + 0.0004F * k_occlusion_radius * k_occlusion_radius) * k_occlusion_radius;
   }
-  return std::clamp(1.0F - 0.75F * sum / static_cast<float>(k_samples), 0.0F, 1.0F);
+  return std::clamp(1.08F - 0.75F * sum / static_cast<float>(k_samples), 0.0F, 1.0F);
 }
 
 void Occlusion::measure_row(int y) {

@@ -7,7 +7,8 @@ namespace penpose::render {
 namespace {
 
 // What the words of shaders.h mean.
-constexpr std::string_view k_modern_vertex = "#define from_buffer in\n#define to_fragment out\n";
+constexpr std::string_view k_modern_vertex =
+    "#define from_buffer in\n#define to_fragment out\n#define VERTICES_SEE_PICTURES\n";
 constexpr std::string_view k_modern_fragment =
     "#define from_vertex in\n#define sample_picture texture\n#define change_per_px(value) fwidth(value)\n"
     "const float k_least_alpha = 0.01;\nout vec4 result;\n";

@@ -10,6 +10,7 @@
 #include "ui/render/gl/curve_pass.h"
 #include "ui/render/gl/framebuffers.h"
 #include "ui/render/gl/gl_program.h"
+#include "ui/render/gl/ground_pass.h"
 #include "ui/render/gl/mesh/mesh_pass.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/gl/screen_fill.h"
@@ -28,6 +29,7 @@ struct GlRenderer::State {
   GlProgram occlusion;
   GlProgram occlusion_blur;
   BehindPass behind_pass;
+  GroundPass ground_pass;
   std::optional<CurvePass> curve_pass;    ///< modern
   std::optional<CurveLayer> curve_layer;  ///< not modern
   Behind behind;
@@ -81,6 +83,9 @@ base::Status GlRenderer::State::add_programs() {
   auto behind_made = BehindPass::make(dialect);
   if (!behind_made) return behind_made.error();
   behind_pass = std::move(*behind_made);
+  auto ground_made = GroundPass::make(dialect);
+  if (!ground_made) return ground_made.error();
+  ground_pass = std::move(*ground_made);
   if (!dialect.modern) {
     auto made = CurveLayer::make(dialect);
     if (!made) return made.error();
@@ -149,6 +154,9 @@ void GlRenderer::State::draw_surfaces(const Scene& scene, const View& view, geom
   if (behind_pass.begin(behind, viewport)) {
     screen.draw();
     BehindPass::end();
+  } else if (scene.appearance != nullptr && ground_pass.begin(scene.appearance->light, view, viewport)) {
+    screen.draw();
+    GroundPass::end();
   }
   mesh.draw_opaque(view, scene.wireframe);
   mesh.draw_translucent(view);
@@ -220,7 +228,7 @@ base::Status GlRenderer::draw_picture(const Scene& scene, const geometry::Camera
   s.last = now;
   s.still = now.numbered();
   s.draw_still(scene, view, camera.viewport(), same);
-  if (s.occludes() && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
+  if (s.occludes() && !scene.triangles.empty() && !s.mesh.has_toon()) s.draw_occlusion(view, camera.viewport());
   s.targets.begin_picture();
   if (s.curve_pass) s.curve_pass->draw(scene.curves, camera);
   if (s.curve_layer) s.curve_layer->draw(scene.curves, camera, s.screen);

@@ -63,10 +63,13 @@ inline constexpr std::string_view k_mesh_vertex = R"(
 from_buffer vec4 base_color;
 from_buffer vec4 finish;
 from_buffer vec4 overlay;
+from_buffer vec4 light;
 to_fragment vec4 albedo;
 to_fragment vec3 surface;
+to_fragment float sky;
 void main() {
   place_vertex();
+  sky = light.x;
   albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
   surface = vec3(finish.x, finish.y, overlay.a > 0.5 ? 1.0 : finish.z);
 }
@@ -77,19 +80,35 @@ inline constexpr std::string_view k_look_vertex = R"(
 from_buffer vec4 overlay;
 from_buffer vec4 coordinates;
 from_buffer vec4 tint;
+from_buffer vec4 light;
 uniform float second_set;
 uniform vec2 along_u;
 uniform vec2 along_v;
 uniform vec2 shift;
+uniform vec2 outline;  // how far it stands out: everywhere, and for each unit of distance
+#ifdef VERTICES_SEE_PICTURES
+uniform sampler2D outline_picture;
+uniform float outline_textured;
+#endif
 to_fragment vec4 color;
 to_fragment vec4 over;
 to_fragment vec2 at;
+to_fragment vec2 sky_and_coat;
 void main() {
   place_vertex();
+  sky_and_coat = light.xy;
   color = vec4(tint.rgb * tint.rgb, tint.a);
   over = overlay;
   vec2 uv = second_set > 0.5 ? coordinates.zw : coordinates.xy;
   at = along_u * uv.x + along_v * uv.y + shift;
+  if (outline.x + outline.y > 0.0) {
+    float wide = outline.x - outline.y * view_position.z;
+#ifdef VERTICES_SEE_PICTURES
+    if (outline_textured > 0.5) wide *= sqrt(textureLod(outline_picture, at, 0.0).g);
+#endif
+    view_position += normalize(view_normal) * wide;
+    gl_Position = to_clip * vec4(view_position, 1.0);
+  }
 }
 )";
 
@@ -117,18 +136,29 @@ vec3 to_display(vec3 c) {
   return mix(c * 12.92, 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
 }
 
-vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float occlude) {
+const vec3 k_key = vec3(-0.465684, 0.577448, 0.670585);  // length one
+
+vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float occlude, float sky) {
   float alpha = max(roughness * roughness, k_least_alpha);
   vec3 f0 = mix(vec3(0.035), base, metallic);
   vec3 diffuse = base * (1.0 - metallic);
   vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
-  vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
-  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
-  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2), 0.3);
-  color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
-  color *= occlude;
+  vec3 color = sky * ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
+  color += (0.6 + 0.4 * sky) * lit(n, v, k_key, vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
+  color += sky * lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2),
+                     0.3);
+  color += sky * lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25),
+                     0.0);
+  color *= 1.15 * occlude;
   // A soft shoulder: white things keep their shading.
   return color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
+}
+
+// The window that an eye mirrors, and a little of the floor.
+float catchlight(vec3 n, vec3 v) {
+  float key = smoothstep(0.9900, 0.9965, dot(n, normalize(k_key + v)));
+  float floor_light = smoothstep(0.955, 0.995, dot(n, normalize(vec3(0.4716, -0.4716, 0.7451) + v)));
+  return 0.85 * key + 0.05 * floor_light;
 }
 )";
 
@@ -138,7 +168,23 @@ from_vertex vec3 view_position;
 from_vertex vec3 view_normal;
 from_vertex vec4 albedo;
 from_vertex vec3 surface;
+from_vertex float sky;
 uniform float opaque_pass;
+uniform float matcap;
+
+// Light that lies on a ball: what looks the same way on the screen is equally bright wherever it is. One lamp above
+// on the left, a cool edge on the right.
+vec3 ball(vec3 n, vec3 v) {
+  vec3 x = normalize(vec3(v.z, 0.0, -v.x));
+  vec2 at = vec2(dot(x, n), dot(cross(v, x), n));
+  float up = smoothstep(-1.05, 0.95, dot(at, vec2(-0.6, 0.8)));
+  float edge = length(at);
+  vec3 color = mix(vec3(0.030, 0.026, 0.034), vec3(0.50, 0.37, 0.31), up);
+  color += vec3(0.42, 0.37, 0.32) * (1.0 - smoothstep(0.0, 0.75, length(at - vec2(-0.33, 0.42))));
+  color += vec3(0.35) * (1.0 - smoothstep(0.04, 0.22, length(at - vec2(-0.36, 0.48))));
+  color *= 1.0 - 0.55 * smoothstep(0.80, 1.0, edge);
+  return color + vec3(0.10, 0.16, 0.26) * smoothstep(0.70, 0.98, edge) * max(at.x, 0.0);
+}
 
 void main() {
   vec3 n = normalize(view_normal);
@@ -147,17 +193,21 @@ void main() {
   if (inside > 0.5) n = -n;
   vec3 base = albedo.rgb * albedo.rgb;  // stored as square roots: finer steps in the dark
   float roughness = surface.x;
+  float coat = 0.0;
   if (surface.z < 0.999) {
     // Eye: pupil, iris with a dark rim and a lighter ring, then the white with a hint of pink far out.
     float d = surface.z;
     float w = max(change_per_px(d), 0.004);
+    coat = 1.0 - smoothstep(0.90, 0.97, d);
     vec3 iris = mix(vec3(0.17, 0.10, 0.045), vec3(0.05, 0.032, 0.02), smoothstep(0.30, 0.46, d));
     vec3 color = mix(base, iris, 1.0 - smoothstep(0.46 - w - 0.015, 0.46 + w + 0.015, d));
     base = mix(color, vec3(0.006), 1.0 - smoothstep(0.19 - w, 0.19 + w, d));
     roughness = 0.12;
   }
   vec3 diffuse = base * (1.0 - surface.y);
-  vec3 color = lighted(n, v, base, roughness, surface.y, mix(1.0, 0.22, inside));
+  vec3 color = lighted(n, v, base, roughness, surface.y, mix(1.0, 0.22, inside), sky);
+  if (coat > 0.0) color += coat * catchlight(n, v);
+  if (matcap > 0.5) color = base * ball(n, v) * mix(0.5 + 0.5 * sky, 0.22, inside);
   float opacity = 1.0;
   if (opaque_pass < 0.5) {
     // A clear film hides little of what is behind it, but its highlight is as bright as on anything else.
@@ -176,7 +226,9 @@ from_vertex vec3 view_normal;
 from_vertex vec4 color;
 from_vertex vec4 over;
 from_vertex vec2 at;
+from_vertex vec2 sky_and_coat;
 uniform sampler2D picture;
+uniform sampler2D shade_picture;
 uniform float textured;
 uniform vec3 factor;
 uniform float opacity;
@@ -184,24 +236,49 @@ uniform float least_alpha;
 uniform float unlit;
 uniform float roughness;
 uniform float metallic;
+uniform vec3 toon;  // whether it is one, where its tones meet, how sharply
+uniform vec3 shade_factor;
+uniform float shade_textured;
+uniform vec3 outline_color;
+uniform float outline_mix;  // below zero: no outline
+
+vec3 linear_light(vec3 texel) {
+#ifdef PICTURES_ARE_ENCODED
+  return mix(texel / 12.92, pow((texel + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), texel));
+#else
+  return texel;
+#endif
+}
+
+vec3 toned(vec3 n, vec3 base, vec4 over_it) {
+  vec3 shade = color.rgb * shade_factor;
+  if (shade_textured > 0.5) shade *= linear_light(sample_picture(shade_picture, at).rgb);
+  shade = mix(shade, base, over_it.a);
+  float t = (dot(n, k_key) + toon.y + 1.0 - toon.z) / max(2.0 - 2.0 * toon.z, 0.02);
+  return mix(shade, base, clamp(t, 0.0, 1.0));
+}
 
 void main() {
   vec4 own = color * vec4(factor, opacity);
   if (textured > 0.5) {
     vec4 texel = sample_picture(picture, at);
-#ifdef PICTURES_ARE_ENCODED
-    texel.rgb = mix(texel.rgb / 12.92, pow((texel.rgb + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), texel.rgb));
-#endif
-    own *= texel;
+    own *= vec4(linear_light(texel.rgb), texel.a);
   }
   if (own.a < least_alpha) discard;
   vec3 mixed = mix(sqrt(max(own.rgb, vec3(0.0))), over.rgb, over.a);
   vec3 base = mixed * mixed;
   vec3 n = normalize(view_normal);
-  if (!gl_FrontFacing) n = -n;
-  vec3 shown = unlit > 0.5 && over.a < 0.01
-                   ? base
-                   : lighted(n, normalize(-view_position), base, roughness, metallic, 1.0);
+  if (!gl_FrontFacing && outline_mix < 0.0) n = -n;
+  vec3 v = normalize(-view_position);
+  vec3 shown = base;
+  if (toon.x > 0.5) {
+    shown = toned(n, base, over);
+    if (outline_mix >= 0.0) shown = outline_color * mix(vec3(1.0), shown, outline_mix);
+  } else if (unlit < 0.5 || over.a >= 0.01) {
+    float coat = sky_and_coat.y;
+    shown = lighted(n, v, base, mix(roughness, 0.12, coat), metallic, 1.0, sky_and_coat.x);
+    if (coat > 0.0) shown += coat * catchlight(n, v);
+  }
   result = vec4(to_display(shown), own.a);
 }
 )";
@@ -261,7 +338,8 @@ void main() {
     float near = max(1.0 - dd / (radius * radius), 0.0);
     sum += near * max(dot(d, n) - 0.012 * radius, 0.0) / (dd + 0.0004 * radius * radius) * radius;
   }
-  float open = clamp(1.0 - 0.75 * sum / float(count), 0.0, 1.0);
+  // What is only a little curved is no crease.
+  float open = clamp(1.08 - 0.75 * sum / float(count), 0.0, 1.0);
   result = vec4(vec3(open), 1.0);
 }
 )";

@@ -62,6 +62,46 @@ TEST(FirstView, ClayIsAKeyAway) {
   EXPECT_TRUE(desk.app->of<CanvasLook>().clay);
 }
 
+TEST(FirstView, MatcapAndClayTakeTurns) {
+  Desk desk("matcap", figure_file("matcap"));
+  desk.begin();
+  const CanvasLook& look = desk.app->of<CanvasLook>();
+  desk.app->of<Actions>().run(Action{"matcap"});
+  EXPECT_TRUE(look.matcap);
+  desk.app->of<Actions>().run(Action::clay);
+  EXPECT_TRUE(look.clay);
+  EXPECT_FALSE(look.matcap);
+  desk.app->of<Actions>().run(Action{"textured"});
+  EXPECT_FALSE(look.clay || look.matcap);
+}
+
+TEST(FirstView, WhatStandsBehindADialogIsStillThereAfterIt) {
+  Desk desk("behind_dialog");
+  auto& notices = desk.app->of<Notices>();
+  desk.app->of<Dialogs>().show(Dialog::steps);
+  notices.tell("something");
+  desk.now_us += 60'000'000;
+  desk.app->advance();
+  ASSERT_EQ(notices.all().size(), 1U);
+  desk.app->of<Dialogs>().show(Dialog::none);
+  desk.now_us += 60'000'000;
+  desk.app->advance();
+  EXPECT_TRUE(notices.all().empty());
+}
+
+TEST(FirstView, NotesOfTheModelListWhatCannotBeDrawn) {
+  Desk desk("model_notes");
+  auto& undrawn = desk.app->of<UndrawnTextures>();
+  document::Model model = *desk.document().model;
+  document::Look look;
+  look.undrawn = {"skin.ktx2 (KTX2)"};
+  model.look = std::make_shared<const document::Look>(look);
+  model.notes = {document::undrawn_note(look.undrawn), "3 vertices were left out"};
+  undrawn.begin(model);
+  EXPECT_EQ(notes_of(model, undrawn),
+            (std::vector<std::string>{"this texture cannot be drawn: skin.ktx2 (KTX2)", "3 vertices were left out"}));
+}
+
 TEST(FirstView, TexturesThatCannotBeDrawnAreToldInOneNotice) {
   Desk desk("undrawn");
   auto& undrawn = desk.app->of<UndrawnTextures>();

@@ -25,11 +25,13 @@ struct Light {
   float red, green, blue;  ///< linear
   float least_alpha;       ///< of the highlight
   float wrap;              ///< how far it reaches around the edge of shadow
+  float direct;            ///< the share of it that comes from one place, which no soft shadow takes
 };
 
-Light light(float x, float y, float z, float red, float green, float blue, float least_alpha, float wrap) {
+Light light(float x, float y, float z, float red, float green, float blue, float least_alpha, float wrap,
+            float direct) {
   const float size = std::sqrt(x * x + y * y + z * z);
-  return {x / size, y / size, z / size, red, green, blue, least_alpha, wrap};
+  return {x / size, y / size, z / size, red, green, blue, least_alpha, wrap, direct};
 }
 
 /// A surface before light, for the fragments of one call.
@@ -69,9 +71,9 @@ void prepare(Fragments& f, Prepared& p, const PxToEye& eye) {
     p.diffuse_blue[i] = f.blue[i] * dull;
     const float up = f.normal_y[i] * 0.5F + 0.5F;
     const float film = 1.0F - 0.7F * f.roughness[i];
-    p.red[i] = (0.085F + up * (0.20F - 0.085F)) * (p.diffuse_red[i] + p.f0_red[i] * film);
-    p.green[i] = (0.072F + up * (0.215F - 0.072F)) * (p.diffuse_green[i] + p.f0_green[i] * film);
-    p.blue[i] = (0.064F + up * (0.24F - 0.064F)) * (p.diffuse_blue[i] + p.f0_blue[i] * film);
+    p.red[i] = f.sky[i] * (0.085F + up * (0.20F - 0.085F)) * (p.diffuse_red[i] + p.f0_red[i] * film);
+    p.green[i] = f.sky[i] * (0.072F + up * (0.215F - 0.072F)) * (p.diffuse_green[i] + p.f0_green[i] * film);
+    p.blue[i] = f.sky[i] * (0.064F + up * (0.24F - 0.064F)) * (p.diffuse_blue[i] + p.f0_blue[i] * film);
   }
 }
 
@@ -107,26 +109,104 @@ void add_light(const Fragments& f, Prepared& p, const Light& light, int from, in
     const float away = 1.0F - vh;
     const float away2 = away * away;
     const float grazing = away2 * away2 * away;
-    p.red[i] += light.red * (p.diffuse_red[i] * soft + (p.f0_red[i] + (1.0F - p.f0_red[i]) * grazing) * peak);
-    p.green[i] += light.green * (p.diffuse_green[i] * soft + (p.f0_green[i] + (1.0F - p.f0_green[i]) * grazing) * peak);
-    p.blue[i] += light.blue * (p.diffuse_blue[i] * soft + (p.f0_blue[i] + (1.0F - p.f0_blue[i]) * grazing) * peak);
+    const float seen = light.direct + (1.0F - light.direct) * f.sky[i];
+    p.red[i] += light.red * seen * (p.diffuse_red[i] * soft + (p.f0_red[i] + (1.0F - p.f0_red[i]) * grazing) * peak);
+    p.green[i] +=
+        light.green * seen * (p.diffuse_green[i] * soft + (p.f0_green[i] + (1.0F - p.f0_green[i]) * grazing) * peak);
+    p.blue[i] +=
+        light.blue * seen * (p.diffuse_blue[i] * soft + (p.f0_blue[i] + (1.0F - p.f0_blue[i]) * grazing) * peak);
   }
 }
 
 /// A soft shoulder keeps the shading of white things; then the square root, by which the table of sRGB goes.
 inline float shoulder(float color, float open) {
-  const float c = color * open;
+  const float c = 1.15F * color * open;
   return c * (1.0F + c * 0.35F) / (1.0F + c * 0.62F);
+}
+
+inline float smooth_step(float from, float to, float x) {
+  const float t = clamped((x - from) / (to - from));
+  return t * t * (3.0F - 2.0F * t);
+}
+
+/// Two tones: which of them is seen goes into the base colour, which is not lit any more.
+void add_tones(Fragments& f, const Light& key) {
+  for (int i = 0; i < f.count; ++i) {
+    const Fragments::Tones& tones = f.tones[static_cast<std::size_t>(i)];
+    if (tones.toon == nullptr) continue;
+    const auto shift = static_cast<float>(tones.toon->shift);
+    const auto toony = static_cast<float>(tones.toon->toony);
+    const float nl = f.normal_x[i] * key.x + f.normal_y[i] * key.y + f.normal_z[i] * key.z;
+    const float width = 2.0F - 2.0F * toony;
+    const float t = clamped((nl + shift + 1.0F - toony) / (width > 0.02F ? width : 0.02F));
+    const auto finish = [&](float base, float shade, std::size_t channel) {
+      const float shown = shade + (base - shade) * t;
+      if (!tones.outline) return shown;
+      const auto mix = static_cast<float>(tones.toon->outline_mix);
+      return static_cast<float>(tones.toon->outline_color[channel]) * (1.0F - mix + shown * mix);
+    };
+    f.red[i] = finish(f.red[i], tones.red, 0);
+    f.green[i] = finish(f.green[i], tones.green, 1);
+    f.blue[i] = finish(f.blue[i], tones.blue, 2);
+    f.lit[i] = 0;
+  }
+}
+
+/// How well a normal points half way between a light and the eye: 1 exactly.
+float halfway(const Fragments& f, const Prepared& p, int i, float x, float y, float z) {
+  const float hx = f.eye_x[i] + x;
+  const float hy = f.eye_y[i] + y;
+  const float hz = p.eye_z[i] + z;
+  return (f.normal_x[i] * hx + f.normal_y[i] * hy + f.normal_z[i] * hz) /
+         std::sqrt(hx * hx + hy * hy + hz * hz + 1e-12F);
+}
+
+/// The window that an eye mirrors, and a little of the floor.
+void add_catchlights(const Fragments& f, Prepared& p, const Light& key) {
+  for (int i = 0; i < f.count; ++i) {
+    if (f.coat[i] <= 0) continue;
+    const float window = smooth_step(0.9900F, 0.9965F, halfway(f, p, i, key.x, key.y, key.z));
+    const float floor_light = smooth_step(0.955F, 0.995F, halfway(f, p, i, 0.4716F, -0.4716F, 0.7451F));
+    const float mirrored = f.coat[i] * (0.85F * window + 0.05F * floor_light);
+    p.red[i] += mirrored;
+    p.green[i] += mirrored;
+    p.blue[i] += mirrored;
+  }
+}
+
+/// The light of a ball (`ball` in k_mesh_fragment).
+void light_as_ball(const Fragments& f, Prepared& p) {
+  for (int i = 0; i < f.count; ++i) {
+    const float vx = f.eye_x[i], vy = f.eye_y[i], vz = p.eye_z[i];
+    const float flat = 1.0F / std::sqrt(vx * vx + vz * vz + 1e-12F);
+    const float xx = vz * flat, xz = -vx * flat;  // across the view; up is v cross x
+    const float at_x = xx * f.normal_x[i] + xz * f.normal_z[i];
+    const float at_y = vy * xz * f.normal_x[i] + (vz * xx - vx * xz) * f.normal_y[i] - vy * xx * f.normal_z[i];
+    const auto away_from = [&](float x, float y) {
+      return std::sqrt((at_x - x) * (at_x - x) + (at_y - y) * (at_y - y));
+    };
+    const float up = smooth_step(-1.05F, 0.95F, -0.6F * at_x + 0.8F * at_y);
+    const float lobe = 1.0F - smooth_step(0.0F, 0.75F, away_from(-0.33F, 0.42F));
+    const float spot = 0.35F * (1.0F - smooth_step(0.04F, 0.22F, away_from(-0.36F, 0.48F)));
+    const float edge = away_from(0, 0);
+    const float dim = 1.0F - 0.55F * smooth_step(0.80F, 1.0F, edge);
+    const float rim = smooth_step(0.70F, 0.98F, edge) * above_zero(at_x);
+    const float open = f.open[i] * (0.5F + 0.5F * f.sky[i]);
+    p.red[i] = f.red[i] * open * ((0.030F + up * (0.50F - 0.030F) + 0.42F * lobe + spot) * dim + 0.10F * rim);
+    p.green[i] = f.green[i] * open * ((0.026F + up * (0.37F - 0.026F) + 0.37F * lobe + spot) * dim + 0.16F * rim);
+    p.blue[i] = f.blue[i] * open * ((0.034F + up * (0.31F - 0.034F) + 0.32F * lobe + spot) * dim + 0.26F * rim);
+  }
 }
 
 }  // namespace
 
 void shade(Fragments& f, const PxToEye& eye) {
-  static const Light key = light(-0.50F, 0.62F, 0.72F, 0.86F, 0.81F, 0.75F, 0.0F, 0.18F);
-  static const Light fill = light(0.85F, 0.10F, 0.50F, 0.11F, 0.125F, 0.15F, 0.2F, 0.3F);
-  static const Light rim = light(0.45F, 0.55F, -0.75F, 0.40F, 0.44F, 0.50F, 0.25F, 0.0F);
+  static const Light key = light(-0.50F, 0.62F, 0.72F, 0.86F, 0.81F, 0.75F, 0.0F, 0.18F, 0.6F);
+  static const Light fill = light(0.85F, 0.10F, 0.50F, 0.11F, 0.125F, 0.15F, 0.2F, 0.3F, 0.0F);
+  static const Light rim = light(0.45F, 0.55F, -0.75F, 0.40F, 0.44F, 0.50F, 0.25F, 0.0F, 0.0F);
   Prepared p;
   prepare(f, p, eye);
+  if (f.some_tones) add_tones(f, key);
   constexpr int k_together = 32;
   for (int i = 0; i < f.count; i += k_together) {
     const int end = i + k_together < f.count ? i + k_together : f.count;
@@ -140,6 +220,12 @@ void shade(Fragments& f, const PxToEye& eye) {
     p.red[i] = shoulder(p.red[i], f.open[i]) * f.lit[i] + f.red[i] * dark;
     p.green[i] = shoulder(p.green[i], f.open[i]) * f.lit[i] + f.green[i] * dark;
     p.blue[i] = shoulder(p.blue[i], f.open[i]) * f.lit[i] + f.blue[i] * dark;
+  }
+  if (f.some_coat) add_catchlights(f, p, key);
+  if (f.matcap) light_as_ball(f, p);
+  f.some_coat = false;
+  f.some_tones = false;
+  for (int i = 0; i < f.count; ++i) {
     f.shine[i] = above_zero(p.red[i] - 0.4F * (p.diffuse_red[i] + p.diffuse_green[i] + p.diffuse_blue[i]));
   }
   for (int i = 0; i < f.count; ++i) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/document/look.h"
+
 namespace penpose::render {
 
 /// Points of surfaces that are lighted together, each number in an array of its own, so that compilers take several at
@@ -18,6 +20,19 @@ struct Fragments {
   alignas(32) Numbers roughness, metallic;
   alignas(32) Numbers open;  ///< share of the light that comes in
   alignas(32) Numbers lit;   ///< 1: lighted; 0: shown as its base colour
+  alignas(32) Numbers sky;   ///< share of the light from all sides that comes in
+  alignas(32) Numbers coat;  ///< 1: the wet front of an eye, which mirrors a window
+
+  /// Where one has two tones: how, and its shade's colour, linear.
+  struct Tones {
+    const document::Toon* toon = nullptr;  ///< null: it has none
+    bool outline = false;
+    float red = 0, green = 0, blue = 0;
+  };
+  std::array<Tones, k_most + k_beyond> tones;
+  bool some_coat = false;   ///< some of them may have a coat
+  bool some_tones = false;  ///< some of them may have tones
+  bool matcap = false;      ///< lit as a ball is; stays from call to call
 
   // What `shade` gives: what is displayed, 0..1, and how much brighter than its diffuse colour red is.
   alignas(32) Numbers shown_red, shown_green, shown_blue;

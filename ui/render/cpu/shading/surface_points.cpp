@@ -71,9 +71,7 @@ ScreenTriangle screen_triangle(std::uint32_t item, std::span<const ScreenVertex>
       near != nullptr && number >= near->first_item && number - near->first_item < near->triangles.size();
   made.segment = has_it ? near : &items.segment_of(number);
   made.vertices = made.segment->triangles[number - made.segment->first_item];
-  made.corners = made.piece != nullptr ? made.piece->corners
-                                       : Corners{vertices[made.vertices[0]].corner, vertices[made.vertices[1]].corner,
-                                                 vertices[made.vertices[2]].corner};
+  made.corners = made.piece != nullptr ? made.piece->corners : corners_of(*made.segment, made.vertices, vertices);
   made.area = twice_area(made.corners);
   // Fronts run against the clock; what is drawn runs with it.
   made.front = made.area < 0;
@@ -149,16 +147,34 @@ float SurfacePoints::add(int x, int y, Fragments& fragments) const {
   const glm::vec3& b = vertices_[triangle.vertices[1]].normal;
   const glm::vec3& c = vertices_[triangle.vertices[2]].normal;
   // Of any length, but its direction counts.
-  const float sign = triangle.front ? 1.0F : -1.0F;
+  const float sign = triangle.front || triangle.segment->outline ? 1.0F : -1.0F;
   fragments.normal_x[at] = (a.x * s.x + b.x * s.y + c.x * s.z) * sign;
   fragments.normal_y[at] = (a.y * s.x + b.y * s.y + c.y * s.z) * sign;
   fragments.normal_z[at] = (a.z * s.x + b.z * s.y + c.z * s.z) * sign;
   fragments.eye_x[at] = static_cast<float>(x) + 0.5F;
   fragments.eye_y[at] = static_cast<float>(y) + 0.5F;
+  add_light(s, fragments);
   const float alpha =
       triangle.segment->surface != nullptr ? add_of_look(x, y, fragments) : add_plain(x, y, s, fragments);
   ++fragments.count;
   return alpha;
+}
+
+void SurfacePoints::add_light(const Shares& unscaled, Fragments& fragments) const {
+  const auto at = static_cast<std::size_t>(fragments.count);
+  fragments.sky[at] = 1.0F;
+  fragments.coat[at] = 0.0F;
+  fragments.tones[at].toon = nullptr;
+  if (paint_.light.empty()) return;
+  const Shares s = unscaled * (1.0F / (unscaled.x + unscaled.y + unscaled.z));
+  const mesh::Triangle& corners = chosen_->triangle.vertices;
+  const auto mixed_byte = [&](std::size_t byte) {
+    return unit(paint_.light[corners[0]][byte]) * s.x + unit(paint_.light[corners[1]][byte]) * s.y +
+           unit(paint_.light[corners[2]][byte]) * s.z;
+  };
+  fragments.sky[at] = mixed_byte(0);
+  fragments.coat[at] = mixed_byte(1);
+  if (fragments.coat[at] > 0) fragments.some_coat = true;
 }
 
 void SurfacePoints::add_run(int x, int y, int count, Fragments& fragments) const {
@@ -183,6 +199,9 @@ void SurfacePoints::add_run(int x, int y, int count, Fragments& fragments) const
   const glm::vec3& c = vertices_[triangle.vertices[2]].normal;
   const float eye_y = static_cast<float>(y) + 0.5F;
   const float open = triangle.front ? 1.0F : k_inside;
+  const bool shaded = !paint_.light.empty();
+  std::array<float, 3> skies{1, 1, 1};
+  for (std::size_t k = 0; shaded && k < 3; ++k) skies[k] = unit(paint_.light[triangle.vertices[k]][0]);
   for (int first = 0; first < count; first += k_lanes) {
     const auto at = static_cast<std::size_t>(fragments.count + first);
     const auto put = [at](Fragments::Numbers& numbers, const Lanes& lanes) {
@@ -204,7 +223,12 @@ void SurfacePoints::add_run(int x, int y, int count, Fragments& fragments) const
     put(fragments.metallic, Lanes{} + p.paints[0].surface.y);
     put(fragments.open, Lanes{} + open);
     put(fragments.lit, Lanes{} + 1.0F);
+    put(fragments.coat, Lanes{});
+    Lanes sky = Lanes{} + 1.0F;
+    if (shaded) sky = (s0 * skies[0] + s1 * skies[1] + s2 * skies[2]) / (s0 + s1 + s2);
+    put(fragments.sky, sky);
   }
+  for (int i = 0; i < count; ++i) fragments.tones[static_cast<std::size_t>(fragments.count + i)].toon = nullptr;
   fragments.count += count;
 }
 
@@ -233,6 +257,8 @@ float SurfacePoints::add_plain(int x, int y, const Shares& unscaled, Fragments& 
     }
     base = eye_color(base, surface.z, per_px);
     surface.x = k_polished_eye;
+  } else {
+    fragments.coat[at] = 0;
   }
   fragments.red[at] = base.x;
   fragments.green[at] = base.y;
@@ -244,25 +270,17 @@ float SurfacePoints::add_plain(int x, int y, const Shares& unscaled, Fragments& 
   return alpha;
 }
 
-glm::vec4 SurfacePoints::own_color(int x, int y) const {
-  const Shares s = shares(x, y);
+glm::vec4 SurfacePoints::tint_at(const Shares& s) const {
   const auto tint = [&](std::size_t k) {
     const Bytes4& t = paint_.tint[chosen_->triangle.vertices[k]];
     return glm::vec4(unit(t[0]) * unit(t[0]), unit(t[1]) * unit(t[1]), unit(t[2]) * unit(t[2]), unit(t[3]));
   };
-  glm::vec4 color = tint(0) * s.x + tint(1) * s.y + tint(2) * s.z;
-  const document::Surface& surface = *chosen_->triangle.segment->surface;
-  const bool lost =
-      surface.texture && chosen_->triangle.segment->texture == nullptr;  // its picture cannot be read: grey
-  const float share = lost ? 0.6F : 1.0F;
-  color.r *= static_cast<float>(surface.base_color[0]) * share;
-  color.g *= static_cast<float>(surface.base_color[1]) * share;
-  color.b *= static_cast<float>(surface.base_color[2]) * share;
-  color.a *= lost ? 1.0F : static_cast<float>(surface.base_color[3]);
-  if (chosen_->triangle.segment->texture == nullptr) return color;
-  const document::TextureUse& use = *surface.texture;
+  return tint(0) * s.x + tint(1) * s.y + tint(2) * s.z;
+}
+
+glm::vec4 SurfacePoints::texel(const document::TextureUse& use, const TextureMap& map, const TextureTransform& place,
+                               int x, int y) const {
   const auto& coordinates = paint_.look->coordinates[use.coordinates == 1 ? 1 : 0];
-  const TextureTransform& place = chosen_->triangle.segment->place;
   const auto place_of = [&](const Shares& of) {
     glm::vec2 uv{0, 0};
     if (!coordinates.empty()) {
@@ -273,9 +291,35 @@ glm::vec4 SurfacePoints::own_color(int x, int y) const {
     }
     return place.along_u * uv.x + place.along_v * uv.y + place.shift;
   };
-  const glm::vec2 here = place_of(s);
-  return color * chosen_->triangle.segment->texture->sample(use, here, place_of(shares(x + 1, y)) - here,
-                                                            place_of(shares(x, y + 1)) - here);
+  const glm::vec2 here = place_of(shares(x, y));
+  return map.sample(use, here, place_of(shares(x + 1, y)) - here, place_of(shares(x, y + 1)) - here);
+}
+
+glm::vec4 SurfacePoints::own_color(int x, int y) const {
+  glm::vec4 color = tint_at(shares(x, y));
+  const document::Surface& surface = *chosen_->triangle.segment->surface;
+  const bool lost =
+      surface.texture && chosen_->triangle.segment->texture == nullptr;  // its picture cannot be read: grey
+  const float share = lost ? 0.6F : 1.0F;
+  color.r *= static_cast<float>(surface.base_color[0]) * share;
+  color.g *= static_cast<float>(surface.base_color[1]) * share;
+  color.b *= static_cast<float>(surface.base_color[2]) * share;
+  color.a *= lost ? 1.0F : static_cast<float>(surface.base_color[3]);
+  const TextureMap* map = chosen_->triangle.segment->texture;
+  return map == nullptr ? color : color * texel(*surface.texture, *map, chosen_->triangle.segment->place, x, y);
+}
+
+void SurfacePoints::add_tones(int x, int y, const glm::vec3& base, float over_alpha, Fragments& fragments) const {
+  const Segment& segment = *chosen_->triangle.segment;
+  const document::Toon& toon = *segment.surface->toon;
+  glm::vec3 shade = glm::vec3(tint_at(shares(x, y))) * glm::vec3(static_cast<float>(toon.shade_color[0]),
+                                                                 static_cast<float>(toon.shade_color[1]),
+                                                                 static_cast<float>(toon.shade_color[2]));
+  if (segment.shade_texture != nullptr)
+    shade *= glm::vec3(texel(*toon.shade_texture, *segment.shade_texture, segment.shade_place, x, y));
+  shade = mixed(shade, base, over_alpha);
+  fragments.tones[static_cast<std::size_t>(fragments.count)] = {&toon, segment.outline, shade.r, shade.g, shade.b};
+  fragments.some_tones = true;
 }
 
 float SurfacePoints::add_of_look(int x, int y, Fragments& fragments) const {
@@ -304,6 +348,10 @@ float SurfacePoints::add_of_look(int x, int y, Fragments& fragments) const {
   fragments.metallic[at] = chosen_->triangle.segment->metallic;
   fragments.open[at] = 1.0F;
   fragments.lit[at] = surface.unlit && !lost && over_alpha < 0.01F ? 0.0F : 1.0F;
+  if (surface.toon) add_tones(x, y, base, over_alpha, fragments);
+  const float coat = surface.unlit || surface.toon ? 0.0F : fragments.coat[at];
+  fragments.coat[at] = coat;
+  fragments.roughness[at] += (k_polished_eye - fragments.roughness[at]) * coat;
   return own.a;
 }
 

@@ -16,6 +16,7 @@ struct VertexPaint {
   std::span<const VertexFinish> finish;
   std::span<const Bytes4> overlay;  ///< empty: none
   std::span<const Bytes4> tint;     ///< empty: no look
+  std::span<const Bytes4> light{};  ///< as vertex_light; empty: all of them see the sky, and there are no eyes
   const document::Look* look = nullptr;
 };
 
@@ -90,6 +91,13 @@ class SurfacePoints {
   [[nodiscard]] Shares unscaled_shares(int x, int y) const;
   [[nodiscard]] Shares shares(int x, int y) const;
   [[nodiscard]] glm::vec4 own_color(int x, int y) const;
+  /// The colour of a texture of the chosen triangle's look at a px.
+  [[nodiscard]] glm::vec4 texel(const document::TextureUse& use, const TextureMap& map, const TextureTransform& place,
+                                int x, int y) const;
+  /// Tint of the vertices at a px, linear.
+  [[nodiscard]] glm::vec4 tint_at(const Shares& shares) const;
+  void add_tones(int x, int y, const glm::vec3& base, float over_alpha, Fragments& fragments) const;
+  void add_light(const Shares& unscaled, Fragments& fragments) const;
   float add_plain(int x, int y, const Shares& unscaled, Fragments& fragments) const;
   float add_of_look(int x, int y, Fragments& fragments) const;
 

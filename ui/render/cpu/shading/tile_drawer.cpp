@@ -39,6 +39,7 @@ class DepthOf {
 }  // namespace
 
 TileDrawer::TileDrawer(const TileScene& scene) : scene_(scene), points_(scene.vertices, scene.paint, scene.items) {
+  fragments_.matcap = scene.matcap;
   const Raster& r = scene.raster;
   const auto width = static_cast<float>(r.size.width);
   const auto height = static_cast<float>(r.size.height);

@@ -18,6 +18,7 @@ struct TileScene {
   const DrawItems& items;
   std::span<const std::pair<std::uint32_t, std::uint32_t>> edges;  ///< drawn over what is opaque
   const Image& backdrop;                                           ///< of the picture's size
+  bool matcap = false;                                             ///< Scene::matcap
 };
 
 /// Draws surfaces, a tile at a time: which triangle is nearest at each px, then the light of those alone. Tiles need

@@ -31,7 +31,7 @@ void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions,
     const PxRect px = shared_part(px_around(c), picture);
     if (px.empty()) return;
     const std::int64_t area = twice_area(c);
-    if (area == 0 || (segment.culls_back && area > 0)) return;
+    if (area == 0 || (segment.culls_back && area > 0) || (segment.outline && area < 0)) return;
     const PxRect tiles = tiles_of(px);
     for (int y = tiles.top; y < tiles.bottom; ++y) {
       for (int x = tiles.left; x < tiles.right; ++x) {
@@ -45,9 +45,13 @@ void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions,
   for (const Segment& segment : segments_) {
     std::uint32_t item = segment.first_item;
     for (const mesh::Triangle& t : segment.triangles) {
-      const Corners corners{vertices[t[0]].corner, vertices[t[1]].corner, vertices[t[2]].corner};
+      const Corners corners = corners_of(segment, t, vertices);
       if (corners[0].x != k_must_be_clipped && corners[1].x != k_must_be_clipped && corners[2].x != k_must_be_clipped) {
         take_if_seen(segment, corners, item++);
+        continue;
+      }
+      if (segment.outline) {
+        ++item;  // so near that its line would fill the picture
         continue;
       }
       std::size_t piece = pieces_.size();

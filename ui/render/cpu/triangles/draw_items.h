@@ -18,12 +18,23 @@ struct Segment {
   const document::Surface* surface = nullptr;  ///< of a look; null: a plain surface
   const TextureMap* texture = nullptr;         ///< null: none, or it could not be unpacked
   TextureTransform place;
+  const TextureMap* shade_texture = nullptr;  ///< of the second tone
+  TextureTransform shade_place;
   float roughness = 0;
   float metallic = 0;
   float least_alpha = -1;    ///< what is fainter is left out; below zero: nothing is
   bool culls_back = false;   ///< what is seen from its back is left out
+  bool outline = false;      ///< the line around a surface: what is seen from its front is left out
+  std::uint32_t shift = 0;   ///< from a vertex to the place of its corner among those that were placed
   bool see_through = false;  ///< blended over what is behind it
 };
+
+/// The corners of a triangle of a segment.
+[[nodiscard]] inline Corners corners_of(const Segment& segment, const mesh::Triangle& t,
+                                        std::span<const ScreenVertex> vertices) {
+  return {vertices[t[0] + segment.shift].corner, vertices[t[1] + segment.shift].corner,
+          vertices[t[2] + segment.shift].corner};
+}
 
 /// What is drawn in each tile of a picture, in the order in which it is drawn.
 class DrawItems {

@@ -17,9 +17,9 @@ constexpr unsigned k_tint_place = 6;
 }  // namespace
 
 base::Result<LookPass> LookPass::make(const GlDialect& dialect) {
-  auto program =
-      GlProgram::make(dialect, std::string(k_place_functions).append(k_look_vertex), k_look_fragment,
-                      {"position", "normal", "base_color", "finish", "overlay", "coordinates", "tint"}, k_lights);
+  auto program = GlProgram::make(
+      dialect, std::string(k_place_functions).append(k_look_vertex), k_look_fragment,
+      {"position", "normal", "base_color", "finish", "overlay", "coordinates", "tint", "light"}, k_lights);
   if (!program) return program.error();
   return LookPass(dialect, std::move(*program));
 }
@@ -73,8 +73,30 @@ void LookPass::draw_opaque(const View& view, const DrawList& list, std::span<con
       draw_batch(batch, first_index[b], least_alpha(look_->surfaces[batch.surface]), mesh);
     }
   }
+  draw_outlines(view, list, first_index, mesh);
   glDisable(GL_CULL_FACE);
   glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void LookPass::draw_outlines(const View& view, const DrawList& list, std::span<const std::size_t> first_index,
+                             const MeshBuffers& mesh) const {
+  // Their backs, a little larger: what is seen of them is a line around the surface.
+  for (std::size_t b = 0; b < list.batches.size(); ++b) {
+    const LookBatch& batch = list.batches[b].of;
+    const document::Surface& surface = look_->surfaces[batch.surface];
+    if (!has_outline(surface)) continue;
+    set_batch(batch, least_alpha(surface));
+    const glm::vec2 reach = outline_reach(*surface.toon, view);
+    program_.set("outline", reach.x, reach.y);
+    const auto& color = surface.toon->outline_color;
+    program_.set("outline_color", static_cast<float>(color[0]), static_cast<float>(color[1]),
+                 static_cast<float>(color[2]));
+    program_.set("outline_mix", static_cast<float>(surface.toon->outline_mix));
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    mesh.draw(GL_TRIANGLES, first_index[b], static_cast<std::size_t>(batch.count) * 3);
+  }
+  glCullFace(GL_BACK);
 }
 
 void LookPass::draw_blended(const View& view, const DrawList& list, std::span<const std::size_t> first_index,
@@ -88,7 +110,39 @@ void LookPass::draw_blended(const View& view, const DrawList& list, std::span<co
 
 void LookPass::draw_batch(const LookBatch& batch, std::size_t first_index, float least_alpha,
                           const MeshBuffers& mesh) const {
+  set_batch(batch, least_alpha);
+  program_.set("outline", 0.0F, 0.0F);
+  program_.set("outline_mix", -1.0F);
+  if (look_->surfaces[batch.surface].double_sided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+  }
+  mesh.draw(GL_TRIANGLES, first_index, static_cast<std::size_t>(batch.count) * 3);
+}
+
+/// Its tones, and pictures in units 1 and 2. Both samplers have a picture, whether it is looked at or not.
+void LookPass::set_toon(const document::Surface& surface) const {
+  program_.set("shade_picture", 1);
+  program_.set("outline_picture", 2);
+  program_.set("shade_textured", 0.0F);
+  program_.set("outline_textured", 0.0F);
+  if (!surface.toon) return program_.set("toon", 0.0F, 0.0F, 0.0F);
+  const document::Toon& toon = *surface.toon;
+  program_.set("toon", 1.0F, static_cast<float>(toon.shift), static_cast<float>(toon.toony));
+  const auto& shade = toon.shade_color;
+  program_.set("shade_factor", static_cast<float>(shade[0]), static_cast<float>(shade[1]),
+               static_cast<float>(shade[2]));
+  if (toon.shade_texture && textures_.bind(*look_, *toon.shade_texture, 1)) program_.set("shade_textured", 1.0F);
+  const bool varies = toon.outline != document::OutlineWidth::none && toon.outline_texture;
+  if (varies && textures_.bind(*look_, *toon.outline_texture, 2)) program_.set("outline_textured", 1.0F);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void LookPass::set_batch(const LookBatch& batch, float least_alpha) const {
   const document::Surface& surface = look_->surfaces[batch.surface];
+  set_toon(surface);
   const auto single = [](double value) { return static_cast<float>(value); };
   const auto& color = surface.base_color;
   const bool textured = surface.texture && textures_.bind(*look_, *surface.texture);
@@ -109,13 +163,6 @@ void LookPass::draw_batch(const LookBatch& batch, std::size_t first_index, float
   program_.set("unlit", surface.unlit && !lost ? 1.0F : 0.0F);
   program_.set("roughness", batch.roughness);
   program_.set("metallic", batch.metallic);
-  if (surface.double_sided) {
-    glDisable(GL_CULL_FACE);
-  } else {
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-  }
-  mesh.draw(GL_TRIANGLES, first_index, static_cast<std::size_t>(batch.count) * 3);
 }
 
 }  // namespace penpose::render

@@ -41,6 +41,10 @@ class LookPass {
 
  private:
   LookPass(const GlDialect& dialect, GlProgram program) : program_(std::move(program)), textures_(dialect) {}
+  void draw_outlines(const View& view, const DrawList& list, std::span<const std::size_t> first_index,
+                     const MeshBuffers& mesh) const;
+  void set_batch(const LookBatch& batch, float least_alpha) const;
+  void set_toon(const document::Surface& surface) const;
   void draw_batch(const LookBatch& batch, std::size_t first_index, float least_alpha, const MeshBuffers& mesh) const;
 
   GlProgram program_;

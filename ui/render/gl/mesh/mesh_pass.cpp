@@ -11,7 +11,7 @@
 namespace penpose::render {
 
 base::Result<MeshPass> MeshPass::make(const GlDialect& dialect) {
-  const auto attributes = {"position", "normal", "base_color", "finish", "overlay"};
+  const auto attributes = {"position", "normal", "base_color", "finish", "overlay", "coordinates", "tint", "light"};
   const std::string vertex = std::string(k_place_functions).append(k_mesh_vertex);
   auto surface = GlProgram::make(dialect, vertex, k_mesh_fragment, attributes, k_lights);
   if (!surface) return surface.error();
@@ -24,12 +24,13 @@ base::Result<MeshPass> MeshPass::make(const GlDialect& dialect) {
 
 MeshPass::MeshPass(const GlDialect& dialect, GlProgram surface, GlProgram wire, LookPass looks)
     : surface_(std::move(surface)), wire_(std::move(wire)), looks_(std::move(looks)), buffers_(dialect) {
-  for (unsigned* buffer : {&positions_, &normals_, &finish_, &overlay_}) *buffer = buffers_.add_buffer();
+  for (unsigned* buffer : {&positions_, &normals_, &finish_, &overlay_, &light_}) *buffer = buffers_.add_buffer();
   buffers_.set({0, positions_, 3, GL_FLOAT, 12, 0});
   buffers_.set({1, normals_, 3, GL_FLOAT, 12, 0});
   buffers_.set({2, finish_, 4, GL_UNSIGNED_BYTE, 8, 0});
   buffers_.set({3, finish_, 4, GL_UNSIGNED_BYTE, 8, 4});
   buffers_.set({4, overlay_, 4, GL_UNSIGNED_BYTE, 4, 0});
+  buffers_.set({7, light_, 4, GL_UNSIGNED_BYTE, 4, 0});
   looks_.add_to(buffers_);
   buffers_.unbind();
 }
@@ -40,7 +41,7 @@ void MeshPass::order(const Scene& scene, const View& view) {
                 [&](std::size_t b) { again = buffers_.replace(first_index_[b], list_.batches[b].triangles) || again; });
   if (!again) return;
   buffers_.split_again();
-  buffers_.send(finish_, std::span<const VertexFinish>(vertex_finish(scene)), GL_STATIC_DRAW);
+  upload_finish(scene);
   upload_pose(scene);
   upload_overlay(scene);
   looks_.upload_vertices(scene, buffers_);
@@ -48,6 +49,7 @@ void MeshPass::order(const Scene& scene, const View& view) {
 
 void MeshPass::upload_shape(const Scene& scene) {
   list_ = make_draw_list(scene);
+  toon_ = render::has_toon(list_, scene.appearance);
   // Opaque triangles, then translucent ones, then those of the look, then the edges.
   std::vector<std::uint32_t> indices;
   indices.reserve(scene.triangles.size() * 3 + list_.edges.size() * 2);
@@ -66,7 +68,7 @@ void MeshPass::upload_shape(const Scene& scene) {
   edge_count_ = list_.edges.size() * 2;
   for (const auto& [a, b] : list_.edges) indices.insert(indices.end(), {a, b});
   buffers_.send_indices(std::move(indices), first_edge_, scene.positions.size());
-  buffers_.send(finish_, std::span<const VertexFinish>(vertex_finish(scene)), GL_STATIC_DRAW);
+  upload_finish(scene);
   looks_.upload(scene, list_, buffers_);
   // The card has what is not sorted.
   list_.opaque = {};
@@ -85,6 +87,12 @@ base::Status MeshPass::upload(const Scene& scene) {
   if (changes->pose) upload_pose(scene);
   if (changes->overlay) upload_overlay(scene);
   return base::Done{};
+}
+
+void MeshPass::upload_finish(const Scene& scene) {
+  matcap_ = scene.matcap;
+  buffers_.send(finish_, std::span<const VertexFinish>(vertex_finish(scene)), GL_STATIC_DRAW);
+  buffers_.send(light_, std::span<const Bytes4>(vertex_light(scene)), GL_STATIC_DRAW);
 }
 
 void MeshPass::upload_pose(const Scene& scene) {
@@ -111,6 +119,7 @@ void MeshPass::draw_opaque(const View& view, bool wireframe) const {
   }
   use_with_view(surface_, view);
   surface_.set("opaque_pass", 1.0F);
+  surface_.set("matcap", matcap_ ? 1.0F : 0.0F);
   buffers_.draw(GL_TRIANGLES, 0, opaque_count_);
   looks_.draw_opaque(view, list_, first_index_, buffers_);
   glDisable(GL_POLYGON_OFFSET_FILL);
@@ -138,6 +147,7 @@ void MeshPass::draw_translucent(const View& view) const {
   if (translucent_count_ > 0) {
     use_with_view(surface_, view);
     surface_.set("opaque_pass", 0.0F);
+    surface_.set("matcap", matcap_ ? 1.0F : 0.0F);
     buffers_.draw(GL_TRIANGLES, opaque_count_, translucent_count_);
   }
   glDepthMask(GL_TRUE);

@@ -23,6 +23,8 @@ class MeshPass {
   void order(const Scene& scene, const View& view);
   /// Pictures that could not be unpacked, as Textures tells them.
   [[nodiscard]] std::vector<std::string> take_undrawn() { return looks_.take_undrawn(); }
+  /// Whether anything of the last scene has two tones.
+  [[nodiscard]] bool has_toon() const { return toon_; }
   /// Opaque surfaces into the current framebuffer.
   void draw_opaque(const View& view, bool wireframe) const;
   void draw_translucent(const View& view) const;
@@ -30,6 +32,7 @@ class MeshPass {
  private:
   MeshPass(const GlDialect& dialect, GlProgram surface, GlProgram wire, LookPass looks);
   void upload_shape(const Scene& scene);
+  void upload_finish(const Scene& scene);
   void upload_pose(const Scene& scene);
   void upload_overlay(const Scene& scene);
 
@@ -44,6 +47,9 @@ class MeshPass {
   unsigned normals_ = 0;
   unsigned finish_ = 0;
   unsigned overlay_ = 0;
+  unsigned light_ = 0;
+  bool matcap_ = false;
+  bool toon_ = false;
   std::size_t opaque_count_ = 0;  ///< indices
   std::size_t translucent_count_ = 0;
   std::size_t edge_count_ = 0;

@@ -81,10 +81,10 @@ void Textures::keep(const document::Look& look, std::span<const LookBatch> batch
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-bool Textures::bind(const document::Look& look, const document::TextureUse& use) const {
+bool Textures::bind(const document::Look& look, const document::TextureUse& use, unsigned unit) const {
   const Texture* texture = pictures_.find(look, use);
   if (texture == nullptr) return false;
-  glActiveTexture(GL_TEXTURE0);
+  glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture->name());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, use.nearest ? GL_NEAREST : GL_LINEAR);

@@ -17,8 +17,8 @@ class Textures {
   explicit Textures(const GlDialect& dialect) : modern_(dialect.modern) {}
   void keep(const document::Look& look, std::span<const LookBatch> batches);
   void clear() { pictures_.clear(); }
-  /// Binds a picture to texture unit 0 as it is to be used. False: it cannot be read.
-  bool bind(const document::Look& look, const document::TextureUse& use) const;
+  /// Binds a picture to a texture unit, which stays active, as it is to be used. False: it cannot be read.
+  bool bind(const document::Look& look, const document::TextureUse& use, unsigned unit = 0) const;
   [[nodiscard]] std::vector<std::string> take_undrawn() { return pictures_.take_undrawn(); }
 
  private:

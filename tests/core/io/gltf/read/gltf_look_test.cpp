@@ -213,6 +213,49 @@ TEST(GltfLook, MaterialsOfVrm0StandBeforeThoseOfGltf) {
   EXPECT_EQ(surface.texture->scale, (std::array<double, 2>{0.5, 0.5}));
 }
 
+TEST(GltfLook, ToonOfVrm0ComesInTheWordsOfVrm1) {
+  auto sample = textured(png(4, 4));
+  sample.json["extensions"]["VRM"]["materialProperties"] = {
+      {{"name", "face"},
+       {"shader", "VRM/MToon"},
+       {"floatProperties",
+        {{"_ShadeShift", -0.2}, {"_ShadeToony", 0.8}, {"_OutlineWidthMode", 1}, {"_OutlineWidth", 0.3}}},
+       {"vectorProperties", {{"_ShadeColor", {1, 0.5, 0, 1}}, {"_OutlineColor", {0, 0, 1, 1}}}},
+       {"textureProperties", {{"_MainTex", 0}, {"_ShadeTexture", 0}}}}};
+  const auto model = sample.read();
+  ASSERT_NE(model->look, nullptr);
+  const auto& toon = model->look->surfaces[model->look->surface_of[0]].toon;
+  ASSERT_TRUE(toon.has_value());
+  EXPECT_NEAR(toon->shade_color[1], 0.2140, 1e-3) << "as light";
+  EXPECT_TRUE(toon->shade_texture.has_value());
+  EXPECT_NEAR(toon->toony, 0.8 + 0.2 * 0.4, 1e-9);
+  EXPECT_NEAR(toon->shift, 0.2 - 0.12, 1e-9);
+  EXPECT_EQ(toon->outline, document::OutlineWidth::world);
+  EXPECT_NEAR(toon->outline_width, 0.003, 1e-9) << "metres";
+  EXPECT_EQ(toon->outline_color, (std::array<double, 3>{0, 0, 1}));
+  EXPECT_EQ(toon->outline_mix, 0);
+}
+
+TEST(GltfLook, ToonOfVrm1StandsBeforeWhatOtherProgramsShow) {
+  auto sample = textured(png(4, 4));
+  auto& extensions = sample.json["materials"][0]["extensions"];
+  extensions["KHR_materials_unlit"] = nlohmann::json::object();
+  extensions["VRMC_materials_mtoon"] = {{"shadeColorFactor", {0.5, 0.25, 2}}, {"shadingShiftFactor", -0.05},
+                                        {"shadingToonyFactor", 0.95},         {"outlineWidthMode", "screenCoordinates"},
+                                        {"outlineWidthFactor", 0.004},        {"outlineColorFactor", {0.1, 0.2, 0.3}}};
+  const auto model = sample.read();
+  ASSERT_NE(model->look, nullptr);
+  const document::Surface& surface = model->look->surfaces[model->look->surface_of[0]];
+  EXPECT_FALSE(surface.unlit);
+  ASSERT_TRUE(surface.toon.has_value());
+  EXPECT_EQ(surface.toon->shade_color, (std::array<double, 3>{0.5, 0.25, 1})) << "colours are 0..1";
+  EXPECT_EQ(surface.toon->shift, -0.05);
+  EXPECT_EQ(surface.toon->toony, 0.95);
+  EXPECT_EQ(surface.toon->outline, document::OutlineWidth::screen);
+  EXPECT_EQ(surface.toon->outline_width, 0.004);
+  EXPECT_EQ(surface.toon->outline_mix, 1);
+}
+
 TEST(GltfLook, AMirroredNodeShowsBothSides) {
   auto sample = textured(png(4, 4));
   sample.json["nodes"][0]["scale"] = {-1, 1, 1};

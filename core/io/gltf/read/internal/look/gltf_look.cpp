@@ -125,7 +125,7 @@ std::shared_ptr<const document::Look> read_look(GltfDocument& document, const Gl
   }
   GltfPictures pictures(document, resolve, *look);
   bool textured = false;
-  bool unlit = false;
+  bool drawn = false;
   std::array<bool, 2> sets{};
   for (const std::size_t s : seen) {
     if (s == 0) continue;
@@ -133,8 +133,12 @@ std::shared_ptr<const document::Look> read_look(GltfDocument& document, const Gl
     surface = read_surface(document, s - 1, pictures);
     surface.double_sided = surface.double_sided || inside_out.contains(s);
     textured = textured || surface.texture;
-    unlit = unlit || surface.unlit;
+    drawn = drawn || surface.unlit || surface.toon;
     if (surface.texture) sets[surface.texture->coordinates] = true;
+    if (!surface.toon) continue;
+    for (const auto& further : {surface.toon->shade_texture, surface.toon->outline_texture}) {
+      if (further) sets[further->coordinates] = true;
+    }
   }
   if (std::string note = document::undrawn_note(look->undrawn); !note.empty())
     document.notes.push_back(std::move(note));
@@ -150,7 +154,7 @@ std::shared_ptr<const document::Look> read_look(GltfDocument& document, const Gl
     return c == std::array<float, 4>{1, 1, 1, 1};
   });
   if (white) look->colors.clear();
-  if (!textured && !several && !unlit && look->colors.empty() && look->undrawn.empty()) return nullptr;
+  if (!textured && !several && !drawn && look->colors.empty() && look->undrawn.empty()) return nullptr;
   return look;
 }
 

@@ -11,8 +11,10 @@ namespace penpose::io {
 namespace {
 
 using document::AlphaMode;
+using document::OutlineWidth;
 using document::Surface;
 using document::TextureUse;
+using document::Toon;
 using document::Wrap;
 
 /// A surface whose picture cannot be shown.
@@ -57,6 +59,7 @@ class Surfaces {
     surface.base_color = clamped(numbers_of<4>(base, factor, {1, 1, 1, 1}));
     const json::Json* info = member(base, texture);
     if (info != nullptr) set_texture(*info, surface);
+    if (const json::Json* toon = extension(material, "VRMC_materials_mtoon")) read_vrm1_toon(*toon, surface);
     const json::Json* properties = member(extension(&document_.json, "VRM"), "materialProperties");
     if (const json::Json* own = item(properties, index)) read_vrm0(*own, surface);
     if (!std::isfinite(surface.alpha_cutoff)) surface.alpha_cutoff = 0.5;
@@ -96,24 +99,39 @@ class Surfaces {
     return use;
   }
 
+  /// Which coordinates a texture has, and how it lies there.
+  static void place(const json::Json& info, TextureUse& use) {
+    auto set = index_of(&info, "texCoord");
+    if (const json::Json* transform = extension(&info, "KHR_texture_transform")) {
+      use.offset = numbers_of<2>(transform, "offset", {0, 0});
+      use.scale = numbers_of<2>(transform, "scale", {1, 1});
+      use.rotation = number_of(transform, "rotation", 0);
+      if (const auto other = index_of(transform, "texCoord")) set = other;
+    }
+    use.coordinates = set.value_or(0);
+  }
+
+  /// A texture that one can do without.
+  std::optional<TextureUse> further_texture(const json::Json* info) {
+    const auto index = index_of(info, "index");
+    auto use = index ? texture_of(*index) : std::nullopt;
+    if (!use) return std::nullopt;
+    place(*info, *use);
+    return use->coordinates > 1 ? std::nullopt : use;
+  }
+
   static void set_grey(Surface& surface) {
     for (std::size_t i = 0; i < 3; ++i) surface.base_color[i] *= k_grey;
     surface.alpha = AlphaMode::opaque;
     surface.texture.reset();
+    surface.toon.reset();
   }
 
   void set_texture(const json::Json& info, Surface& surface) {
     const auto index = index_of(&info, "index");
     auto use = index ? texture_of(*index) : std::nullopt;
     if (!use) return set_grey(surface);
-    auto set = index_of(&info, "texCoord");
-    if (const json::Json* transform = extension(&info, "KHR_texture_transform")) {
-      use->offset = numbers_of<2>(transform, "offset", {0, 0});
-      use->scale = numbers_of<2>(transform, "scale", {1, 1});
-      use->rotation = number_of(transform, "rotation", 0);
-      if (const auto other = index_of(transform, "texCoord")) set = other;
-    }
-    use->coordinates = set.value_or(0);
+    place(info, *use);
     if (use->coordinates > 1) {
       pictures_.refuse(surface.name.empty() ? "a surface" : surface.name, "a third set of coordinates");
       return set_grey(surface);
@@ -127,6 +145,7 @@ class Surfaces {
     const bool unlit = shader.starts_with("VRM/Unlit");
     if (!unlit && shader != "VRM/MToon") return;
     surface.unlit = unlit;
+    surface.toon.reset();
     const json::Json* numbers = member(&own, "floatProperties");
     const json::Json* vectors = member(&own, "vectorProperties");
     // 0 opaque, 1 cut out, 2 and 3 translucent.
@@ -140,15 +159,79 @@ class Surfaces {
       surface.base_color = clamped(numbers_of<4>(vectors, "_Color", {1, 1, 1, 1}));
       for (std::size_t i = 0; i < 3; ++i) surface.base_color[i] = linear_of_srgb(surface.base_color[i]);
     }
-    const auto index = index_of(member(&own, "textureProperties"), "_MainTex");
-    if (!index) return;
-    auto use = texture_of(*index);
-    if (!use) return set_grey(surface);
-    // Offset and scale of Unity, whose v counts from the foot.
+    const json::Json* textures = member(&own, "textureProperties");
+    // Offset and scale of Unity, whose v counts from the foot; all textures lie as the first one.
     const auto st = numbers_of<4>(vectors, "_MainTex", {0, 0, 1, 1});
-    use->offset = {st[0], 1 - st[3] - st[1]};
-    use->scale = {st[2], st[3]};
-    surface.texture = *use;
+    const auto unity_texture = [&](const char* name) -> std::optional<TextureUse> {
+      const auto index = index_of(textures, name);
+      auto use = index ? texture_of(*index) : std::nullopt;
+      if (!use) return std::nullopt;
+      use->offset = {st[0], 1 - st[3] - st[1]};
+      use->scale = {st[2], st[3]};
+      return use;
+    };
+    if (index_of(textures, "_MainTex")) {
+      surface.texture = unity_texture("_MainTex");
+      if (!surface.texture) return set_grey(surface);
+    }
+    if (unlit) return;
+    surface.toon = vrm0_toon(numbers, vectors);
+    surface.toon->shade_texture = unity_texture("_ShadeTexture");
+    if (surface.toon->outline != OutlineWidth::none)
+      surface.toon->outline_texture = unity_texture("_OutlineWidthTexture");
+  }
+
+  /// Numbers of MToon 0.x in the words of MToon 1.0, by its rules for such files.
+  static Toon vrm0_toon(const json::Json* numbers, const json::Json* vectors) {
+    Toon toon;
+    const auto color_of = [&](const char* name, std::array<double, 4> otherwise) {
+      const auto color = clamped(numbers_of<4>(vectors, name, otherwise));
+      return std::array{linear_of_srgb(color[0]), linear_of_srgb(color[1]), linear_of_srgb(color[2])};
+    };
+    toon.shade_color = color_of("_ShadeColor", {0.97, 0.81, 0.86, 1});
+    const double shift = bounded(numbers, "_ShadeShift", 0, -1, 1);
+    const double toony = bounded(numbers, "_ShadeToony", 0.9, 0, 1);
+    toon.toony = toony + (1 - toony) * (0.5 + 0.5 * shift);
+    toon.shift = -shift - (1 - toon.toony);
+    const double mode = number_of(numbers, "_OutlineWidthMode", 0);
+    toon.outline = mode == 1 ? OutlineWidth::world : mode == 2 ? OutlineWidth::screen : OutlineWidth::none;
+    // Centimetres; hundredths of half of the height.
+    toon.outline_width = bounded(numbers, "_OutlineWidth", 0.5, 0, 10) * (mode == 2 ? 0.005 : 0.01);
+    toon.outline_color = color_of("_OutlineColor", {0, 0, 0, 1});
+    toon.outline_mix =
+        number_of(numbers, "_OutlineColorMode", 0) == 1 ? bounded(numbers, "_OutlineLightingMix", 1, 0, 1) : 0;
+    return toon;
+  }
+
+  static double bounded(const json::Json* object, const char* name, double otherwise, double least, double most) {
+    const double value = number_of(object, name, otherwise);
+    return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
+  }
+
+  static std::array<double, 3> color_of(const json::Json& own, const char* name, std::array<double, 3> otherwise) {
+    auto color = numbers_of<3>(&own, name, otherwise);
+    for (double& c : color) c = std::clamp(c, 0.0, 1.0);
+    return color;
+  }
+
+  /// VRMC_materials_mtoon 1.0. Programs that do not know it show glTF's material, mostly unlit.
+  void read_vrm1_toon(const json::Json& own, Surface& surface) {
+    surface.unlit = false;
+    Toon toon;
+    toon.shade_color = color_of(own, "shadeColorFactor", {1, 1, 1});
+    toon.shade_texture = further_texture(member(&own, "shadeMultiplyTexture"));
+    toon.shift = bounded(&own, "shadingShiftFactor", 0, -1, 1);
+    toon.toony = bounded(&own, "shadingToonyFactor", 0.9, 0, 1);
+    const std::string mode = text_of(&own, "outlineWidthMode");
+    toon.outline = mode == "worldCoordinates"    ? OutlineWidth::world
+                   : mode == "screenCoordinates" ? OutlineWidth::screen
+                                                 : OutlineWidth::none;
+    toon.outline_width = bounded(&own, "outlineWidthFactor", 0, 0, 0.1);
+    if (toon.outline != OutlineWidth::none)
+      toon.outline_texture = further_texture(member(&own, "outlineWidthMultiplyTexture"));
+    toon.outline_color = color_of(own, "outlineColorFactor", {0, 0, 0});
+    toon.outline_mix = bounded(&own, "outlineLightingMixFactor", 1, 0, 1);
+    surface.toon = toon;
   }
 
   const GltfDocument& document_;
