@@ -38,6 +38,7 @@ void ToolInHand::take(const WindowTool& tool) {
 std::string ToolInHand::hint() const {
   if (parts_.performer.performing()) return "Recording frame by frame: lift the pen to end the take";
   const WindowTool& tool = now();
+  if (tool.shows_ghosts) return parts_.ghosts.hint();
   if (tool.hint == nullptr) return {};
   return tool.hint(
       {parts_.editing.document(), parts_.editing.editor().tool(), parts_.playback.while_drawing().performs});
