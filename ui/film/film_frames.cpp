@@ -82,6 +82,8 @@ base::Result<render::Image> draw_frame(const FilmFrames& frames, int frame, rend
   scene.wireframe = look.wireframe;
   scene.clay = look.clay;
   if (look.light) scene.background = light_background();
+  if (look.ghosts != nullptr)
+    look.ghosts->add(frames.document(), frame / frames.rate(), frames.rate(), look.camera, scene, renderer);
   auto image = renderer.render(scene, look.camera);
   if (!image || !look.part) return image;
   return part_of(*image, *look.part);

@@ -6,7 +6,6 @@
 #include "core/document/time/timeline_editing.h"
 #include "ui/app/face/feature_words.h"
 #include "ui/app/playback/frames.h"
-#include "ui/render/cpu/ghost_veil.h"
 
 namespace penpose::app {
 namespace {
@@ -93,6 +92,7 @@ void GhostHand::follow(std::optional<double> time_s, std::optional<PxPoint> pen)
     faces_.forget();
     drawings_ = {};
     veil_.reset();
+    draws_veil_.reset();
     lit_.reset();
     made_ = {};
     return;
@@ -102,7 +102,8 @@ void GhostHand::follow(std::optional<double> time_s, std::optional<PxPoint> pen)
   const render::GhostLook& look = parts_.look.ghosts;
   // A line that is being drawn keeps the ghost on which it began.
   if (!editing.pen_is_drawing()) lit_.reset();
-  faces_.look_at({editing.document(), editing.features(), view, *time_s, parts_.playback.rate()}, look);
+  faces_.look_at({editing.document(), editing.features(), view, *time_s, static_cast<double>(parts_.playback.rate())},
+                 look);
   if (pen && !editing.pen_is_drawing()) lit_ = place_at(*pen);
   const auto scale = static_cast<float>(parts_.canvas.scale());
   Made now{faces_.number(), parts_.canvas.surface().pose_number(), view, look.style, scale, lit_};
@@ -114,9 +115,15 @@ void GhostHand::follow(std::optional<double> time_s, std::optional<PxPoint> pen)
   if (!camera || faces_.ghosts().empty()) return;
   const auto positions = parts_.canvas.surface().positions();
   drawings_ = render::ghost_drawings(faces_.ghosts(), positions, *camera, {scale, lit_});
-  if (look.style == render::GhostStyle::faces) {
-    veil_ = render::ghost_veil(faces_.ghosts(), *editing.document().model->mesh, positions, *camera, {scale, lit_});
+  if (look.style != render::GhostStyle::faces) {
+    draws_veil_.reset();
+    return;
   }
+  if (!draws_veil_) draws_veil_ = std::make_unique<render::GhostVeil>();
+  const PosedSurface& surface = parts_.canvas.surface();
+  veil_ = draws_veil_->draw(faces_.ghosts(),
+                            {*surface.model().mesh, surface.appearance(), surface.shape_number(), positions}, *camera,
+                            {scale, lit_});
 }
 
 std::optional<render::GhostPlace> GhostHand::place_at(PxPoint at) const {
@@ -166,7 +173,7 @@ std::optional<rig::Pose> GhostHand::solved(const render::Ghost& ghost, const ren
 void GhostHand::draw(std::span<const PxPoint> line) {
   if (line.size() < 2) return;
   const auto ghosts = faces_.ghosts();
-  const auto place = lit_ ? lit_ : place_at(line.front());
+  const auto place = place_at(line.front());
   if (!place || place->ghost >= ghosts.size()) {
     return parts_.notices.tell(
         ghosts.empty() ? "There is no ghost here: key poses before or after this moment, or show more ghosts (Onion)"

@@ -12,6 +12,7 @@
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/render/cpu/ghost_veil.h"
 #include "ui/render/ghosts/ghost_drawings.h"
 
 namespace penpose::app {
@@ -60,6 +61,8 @@ class GhostHand {
   /// Says what a line would do there, or how to come to ghosts.
   [[nodiscard]] std::string hint() const;
 
+  /// A line begins there: the ghost that takes it is the one that is nearest.
+  void press(PxPoint at) { lit_ = place_at(at); }
   /// What a line does that is drawn on a ghost: that moment is posed as the tool Draw would there.
   void draw(std::span<const PxPoint> line);
   /// The last change, until something else is done; null: none.
@@ -91,6 +94,7 @@ class GhostHand {
   Made made_;
   std::vector<render::CurveDrawing> drawings_;
   std::shared_ptr<const render::Image> veil_;
+  std::unique_ptr<render::GhostVeil> draws_veil_;  ///< null: nothing translucent is drawn
   std::optional<GhostEdit> last_;
   std::uint64_t revision_ = 0;  ///< with it
 };

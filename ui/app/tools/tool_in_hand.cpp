@@ -48,6 +48,7 @@ void ToolInHand::press(PxPoint at) {
   line_ = {at};
   times_us_ = {parts_.editing.now_us()};
   revision_ = parts_.editing.revision();
+  if (now().shows_ghosts) parts_.ghosts.press(at);
 }
 
 void ToolInHand::move(PxPoint at) {

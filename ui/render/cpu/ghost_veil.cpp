@@ -13,8 +13,10 @@ namespace penpose::render {
 namespace {
 
 /// A face lets so much of what is behind it through where it looks at the eye, and less where it turns away.
-constexpr float k_veil_alpha = 0.34F, k_veil_edge_alpha = 0.62F;
-constexpr float k_veil_darkest = 0.45F;
+constexpr float k_veil_alpha = 0.5F, k_veil_edge_alpha = 0.7F;
+/// How much of its colour is its tint.
+constexpr float k_tinted = 0.5F;
+constexpr float k_veil_others = 0.4F;
 constexpr float k_no_depth = 0.0F;
 
 /// A vertex of a ghost in the picture.
@@ -38,13 +40,16 @@ std::vector<glm::vec3> veil_normals(const mesh::TriangleMesh& mesh, std::span<co
     const glm::vec3 normal = glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
     for (const std::uint32_t v : t) normals[weld[v]] += normal;
   }
+  for (glm::vec3& normal : normals) {
+    const float length = glm::length(normal);
+    normal = length > 0 ? normal / length : glm::vec3(0, 0, 1);
+  }
   for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = normals[weld[v]];
   return normals;
 }
 
-std::vector<VeilVertex> veil_vertices(const Ghost& ghost, const mesh::TriangleMesh& mesh, std::span<const glm::vec3> now,
-                                    const geometry::Camera& camera, float scale) {
-  const std::vector<glm::vec3> normals = veil_normals(mesh, ghost.positions);
+std::vector<VeilVertex> veil_vertices(const Ghost& ghost, std::span<const glm::vec3> normals,
+                                      std::span<const glm::vec3> now, const geometry::Camera& camera, float scale) {
   std::vector<VeilVertex> out(ghost.positions.size());
   for (std::size_t v = 0; v < out.size(); ++v) {
     const geometry::ModelPoint at(ghost.positions[v]);
@@ -58,8 +63,8 @@ std::vector<VeilVertex> veil_vertices(const Ghost& ghost, const mesh::TriangleMe
                    static_cast<float>(1.0 / camera.depth(at))};
     made.apart = ghost_apart(geometry::distance(*px, *was), scale);
     const glm::vec3 way(at - camera.eye());
-    const float long_normal = glm::length(normals[v]) * glm::length(way);
-    if (long_normal > 0) made.facing = std::min(1.0F, std::abs(glm::dot(normals[v], way)) / long_normal);
+    const float far = glm::length(way);
+    if (far > 0) made.facing = std::min(1.0F, std::abs(glm::dot(normals[v], way)) / far);
   }
   return out;
 }
@@ -101,9 +106,10 @@ VeilLayer veil_layer(const mesh::TriangleMesh& mesh, const std::vector<VeilVerte
   return layer;
 }
 
-/// Lays a ghost over those that are there. True: something of it is seen.
-bool lay(const VeilLayer& layer, const Color& tint, Image& image) {
-  const std::array<float, 3> color{encode_srgb(tint.r), encode_srgb(tint.g), encode_srgb(tint.b)};
+/// Lays a ghost, as it looks, over those that are there. True: something of it is seen.
+bool lay(const VeilLayer& layer, const Image& face, const Color& tint, Image& image) {
+  const std::array<float, 3> color{encode_srgb(tint.r) * 255.0F, encode_srgb(tint.g) * 255.0F,
+                                   encode_srgb(tint.b) * 255.0F};
   bool any = false;
   for (std::size_t at = 0; at < layer.depth.size(); ++at) {
     if (layer.depth[at] == k_no_depth) continue;
@@ -112,12 +118,13 @@ bool lay(const VeilLayer& layer, const Color& tint, Image& image) {
     const float over = tint.a * apart * mixed(k_veil_edge_alpha, k_veil_alpha, facing);
     if (over < 1.0F / 255.0F) continue;
     any = true;
+    const std::uint8_t* const seen = face.pixels.data() + 4 * at;
     std::uint8_t* const out = image.pixels.data() + 4 * at;
     const float under = static_cast<float>(out[3]) / 255.0F * (1 - over);
-    const float light = mixed(k_veil_darkest, 1.0F, facing) * 255.0F;
-    for (std::size_t c = 0; c < 3; ++c)
-      out[c] =
-          static_cast<std::uint8_t>((color[c] * light * over + static_cast<float>(out[c]) * under) / (over + under));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float own = mixed(static_cast<float>(seen[c]), color[c], k_tinted);
+      out[c] = static_cast<std::uint8_t>((own * over + static_cast<float>(out[c]) * under) / (over + under));
+    }
     out[3] = static_cast<std::uint8_t>(255.0F * (over + under));
   }
   return any;
@@ -148,23 +155,37 @@ void lay_veil(const Image& veil, Image& picture) {
   }
 }
 
-std::shared_ptr<const Image> ghost_veil(std::span<const Ghost> ghosts, const mesh::TriangleMesh& mesh,
-                                        std::span<const glm::vec3> now, const geometry::Camera& camera,
-                                        const GhostInk& ink) {
-  constexpr float k_others = 0.4F;
+GhostVeil::GhostVeil() {
+  renderer_.set_occlusion(false);
+  renderer_.set_smoothing(true);
+}
+
+std::shared_ptr<const Image> GhostVeil::draw(std::span<const Ghost> ghosts, const VeiledModel& model,
+                                             const geometry::Camera& camera, const GhostInk& ink) {
   auto image = std::make_shared<Image>();
   image->width = (camera.viewport().width + 1) / 2;
   image->height = (camera.viewport().height + 1) / 2;
   // Clear px are grey, so that no dark rim comes where they are blended with others.
   image->pixels.assign(4 * static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height), 0x90);
   for (std::size_t at = 3; at < image->pixels.size(); at += 4) image->pixels[at] = 0;
+  const auto half = geometry::Camera::make(camera.pose(), {image->width, image->height});
+  if (!half) return nullptr;
   bool any = false;
   for (const std::size_t g : farthest_first(ghosts)) {
-    if (ghosts[g].positions.size() != now.size()) continue;
-    Color tint = ghost_color(ghosts[g].moment);
-    if (ink.lit && ink.lit->ghost != g) tint.a *= k_others;
-    const auto vertices = veil_vertices(ghosts[g], mesh, now, camera, ink.scale);
-    any |= lay(veil_layer(mesh, vertices, *image), tint, *image);
+    const Ghost& ghost = ghosts[g];
+    if (ghost.positions.size() != model.now.size()) continue;
+    const std::vector<glm::vec3> normals = veil_normals(model.mesh, ghost.positions);
+    Scene scene;
+    scene.positions = ghost.positions;
+    scene.normals = normals;
+    scene.triangles = model.mesh.triangles();
+    scene.appearance = &model.appearance;
+    scene.shape_number = model.shape_number;
+    if (!renderer_.draw(scene, *half, face_)) continue;
+    Color tint = ghost_color(ghost.moment);
+    if (ink.lit && ink.lit->ghost != g) tint.a *= k_veil_others;
+    const auto vertices = veil_vertices(ghost, normals, model.now, camera, ink.scale);
+    any |= lay(veil_layer(model.mesh, vertices, *image), face_, tint, *image);
   }
   return any ? image : nullptr;
 }

@@ -23,6 +23,8 @@ constexpr float k_nearest_width_px = 2.2F, k_thinner_px = 0.25F, k_least_width_p
 constexpr float k_hardly_seen = 0.03F;
 /// Points of a line that are nearer to each other are one.
 constexpr double k_fine_px = 1.5;
+/// Shorter parts of lines say nothing.
+constexpr double k_least_part_px = 8;
 /// Lines of two ghosts that are as near as that lie together.
 constexpr double k_together_px = 1.5;
 
@@ -52,13 +54,15 @@ void add_line(std::vector<CurveDrawing>& out, const Ghost& ghost, const GhostLin
   }
   CurveDrawing part;
   PxPoint last;
+  double length_px = 0;
   const auto end_part = [&] {
-    if (part.points.size() >= 2) {
+    if (part.points.size() >= 2 && length_px >= k_least_part_px * static_cast<double>(scale)) {
       part.width_px = pen.width_px;
       part.highlighted = pen.highlighted;
       out.push_back(std::move(part));
     }
     part = {};
+    length_px = 0;
   };
   for (std::size_t i = 0; i < line.on.size(); ++i) {
     const bool beside =
@@ -69,6 +73,7 @@ void add_line(std::vector<CurveDrawing>& out, const Ghost& ghost, const GhostLin
     }
     const bool is_end = i + 1 == line.on.size() || alphas[i + 1] <= k_hardly_seen;
     if (!part.points.empty() && !is_end && geometry::distance(last, line.places[i]) < k_fine_px) continue;
+    if (!part.points.empty()) length_px += geometry::distance(last, line.places[i]);
     last = line.places[i];
     part.points.push_back(place_of(line.on[i], ghost.positions));
     part.point_colors.push_back({pen.color.r, pen.color.g, pen.color.b, alphas[i]});

@@ -40,7 +40,7 @@ struct GhostSight {
   std::span<const portrait::FeatureCurve> features;  ///< of the document's face
   document::View view;
   double time_s = 0;
-  int rate = 24;  ///< frames a second
+  double rate = 24;  ///< frames a second
 };
 
 /// The ghosts of a document. What has not changed since the look before is kept: surfaces until keys or the pose of
@@ -66,7 +66,7 @@ class GhostFaces {
     std::shared_ptr<const document::Timeline> timeline;
     rig::Pose pose;  ///< of the document
     double time_s = 0;
-    int rate = 0;
+    double rate = 0;
     GhostLook look;
     friend bool operator==(const Source&, const Source&) = default;
   };

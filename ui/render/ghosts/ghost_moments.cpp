@@ -10,7 +10,7 @@ constexpr double k_one_moment_s = 1e-6;
 
 }  // namespace
 
-std::vector<GhostMoment> ghost_moments(const document::Timeline& timeline, double time_s, int rate,
+std::vector<GhostMoment> ghost_moments(const document::Timeline& timeline, double time_s, double rate,
                                        const GhostLook& look) {
   std::vector<GhostMoment> moments;
   if (timeline.keys.empty()) return moments;

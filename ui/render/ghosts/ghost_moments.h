@@ -33,7 +33,7 @@ struct GhostMoment {
 
 /// The moments whose faces are shown beside that of a moment, ascending. Between keys the face moves, so that none lies
 /// before the first key or after the last one. `rate`: frames a second.
-[[nodiscard]] std::vector<GhostMoment> ghost_moments(const document::Timeline& timeline, double time_s, int rate,
+[[nodiscard]] std::vector<GhostMoment> ghost_moments(const document::Timeline& timeline, double time_s, double rate,
                                                      const GhostLook& look);
 
 }  // namespace penpose::render
