@@ -26,7 +26,12 @@ class Editor {
   base::Status perform(const document::Command& command);
   /// The document as a command would make it. Errors: those of the command.
   [[nodiscard]] base::Result<document::Document> after(const document::Command& command) {
-    return document::apply(document(), command, work_);
+    return after(document(), command);
+  }
+  /// The same of another document, such as this one at another moment.
+  [[nodiscard]] base::Result<document::Document> after(const document::Document& other,
+                                                       const document::Command& command) {
+    return document::apply(other, command, work_);
   }
   /// A completed stroke, with the view under which it began. Errors: those of command_of and of the command; a tap
   /// where the tool wants a line.

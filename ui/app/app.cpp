@@ -41,7 +41,7 @@ App::App(AppOptions options)
       keys_(editing_, notices_, playback_),
       overlap_(editing_, playback_, keys_, notices_),
       performer_(editing_, notices_, playback_, player_),
-      ghosts_(editing_, playback_, notices_),
+      ghosts_({editing_, playback_, notices_, canvas_, look_}),
       tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
       curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
@@ -192,7 +192,9 @@ void App::begin_frame() {
   look.window = canvas_.window();
   look.stabiliser = preferences_.settings().stabiliser;
   look.tool = &tool_.now();
-  look.onion_skin = look_.onion_skin || look.tool->shows_ghosts;
+  follow_ghosts(look.time_s);
+  look.ghosts = ghosts_.drawings();
+  drawing_.veil = ghosts_.veil();
   look.handles = look.tool->selects;
   look.deformer = controls_.shown();
   // Else where the features are is found once the pen comes near the face.
@@ -205,6 +207,15 @@ void App::begin_frame() {
   tour_.follow();
   drawing_.curves = shown_curves(editing_, canvas_.surface(), look);
   recording_.follow();
+}
+
+void App::follow_ghosts(double time_s) {
+  const bool draws = tool_.now().shows_ghosts;
+  // What is played is looked at as it will be seen.
+  const bool shown = (look_.onion_skin || draws) && editing_.moments().any();
+  std::optional<PxPoint> pen;
+  if (draws && hits_.on_canvas(place_.at())) pen = place_.at();
+  ghosts_.follow(shown ? std::optional(time_s) : std::nullopt, pen);
 }
 
 int App::next_frame_ms() {

@@ -83,6 +83,7 @@ class App {
   void show_anew();
   void play_trace(std::int64_t passed_us);
   void follow_habits();
+  void follow_ghosts(double time_s);
   /// On a slow screen, microseconds until a pen that draws has rested long enough for the face to follow; 0: it may.
   [[nodiscard]] std::int64_t wait_for_rest(std::int64_t now_us);
 

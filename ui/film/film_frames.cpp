@@ -83,6 +83,8 @@ base::Result<render::Image> draw_frame(const FilmFrames& frames, int frame, rend
   scene.clay = look.clay;
   scene.matcap = look.matcap;
   if (look.light) scene.background = light_background();
+  if (look.ghosts != nullptr)
+    look.ghosts->add(frames.document(), frame / frames.rate(), frames.rate(), look.camera, scene, renderer);
   auto image = renderer.render(scene, look.camera);
   if (!image || !look.part) return image;
   return part_of(*image, *look.part);

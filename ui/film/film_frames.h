@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/document/document.h"
 #include "core/geometry/camera.h"
+#include "ui/film/film_ghosts.h"
 #include "ui/render/appearance.h"
 #include "ui/render/renderer.h"
 
@@ -27,9 +28,10 @@ struct FrameLook {
   geometry::Camera camera;
   std::optional<PxPart> part{};  ///< of what the camera shows; nothing: all of it
   bool wireframe = false;
-  bool clay = false;    ///< without textures and colours of vertices
-  bool light = false;   ///< on light_background()
-  bool matcap = false;  ///< render::Scene::matcap
+  bool matcap = false;           ///< render::Scene::matcap
+  bool clay = false;             ///< without textures and colours of vertices
+  bool light = false;            ///< on light_background()
+  FilmGhosts* ghosts = nullptr;  ///< the face before and after; null: it is not shown
 };
 
 /// The frames of a document's timeline or, where nothing is keyed, of its model's first animation.
@@ -43,6 +45,7 @@ class FilmFrames {
   /// The frames that are keyed, ascending.
   [[nodiscard]] std::vector<int> keyed() const;
   [[nodiscard]] const document::Document& document() const { return document_; }
+  [[nodiscard]] double rate() const { return rate_; }
   /// The model as it is at a frame. Errors of the rig.
   [[nodiscard]] base::Result<document::Model> at(int frame) const;
 

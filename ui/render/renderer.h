@@ -32,6 +32,9 @@ class Renderer : public base::Interface {
   virtual base::Result<Image> render(const Scene& scene, const geometry::Camera& camera) = 0;
   /// A picture behind the model in all pictures from now on.
   virtual void set_behind(Behind behind) = 0;
+  /// A translucent picture over the model and under the curves in all pictures from now on, half as wide and high as
+  /// they are, straight alpha (ghost_veil); null: none.
+  virtual void set_veil(std::shared_ptr<const Image> veil) = 0;
   /// Darkening of creases; costs the most of a picture on a weak graphics card.
   virtual void set_occlusion(bool on) = 0;
   /// On: a picture has one sample a px, and pictures of what does not change are averaged, each moved by a part of a

@@ -11,6 +11,7 @@
 #include "ui/app/view/backdrop.h"
 #include "ui/app/view/posed_surface.h"
 #include "ui/render/framing.h"
+#include "ui/render/ghosts/ghost_moments.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {
@@ -18,9 +19,11 @@ namespace penpose::app {
 /// How the canvas is shown. Nothing of it is saved.
 struct CanvasLook {
   bool wireframe = false;
-  bool clay = false;                   ///< without textures and colours of the file
-  bool matcap = false;                 ///< without them and lit as a ball is; never together with clay
-  bool onion_skin = true;              ///< lines of the keys before and after
+  bool clay = false;         ///< without textures and colours of the file
+  bool matcap = false;       ///< without them and lit as a ball is; never together with clay
+  bool onion_skin = false;   ///< the face at other moments
+  render::GhostLook ghosts;  ///< at which ones, and how
+  bool ghosts_in_films = false;
   bool fullscreen = false;             ///< of the window
   std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
 };
@@ -28,6 +31,7 @@ struct CanvasLook {
 /// What the canvas shows over the model, as of the last frame.
 struct CanvasDrawing {
   std::vector<render::CurveDrawing> curves;
+  std::shared_ptr<const render::Image> veil;  ///< of ghosts; null: none
 };
 
 /// The model as it is seen: the window's size, the part that panels leave free, the camera, the posed surface.

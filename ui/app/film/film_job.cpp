@@ -76,6 +76,11 @@ std::vector<std::string> words_of(const FilmOrder& order, const std::string& fol
   if (order.matcap) add({"--matcap"});
   if (order.shadows) add({"--shadows"});
   if (order.light) add({"--light"});
+  if (order.ghosts) {
+    add({"--onion", std::to_string(order.ghosts->before) + "," + std::to_string(order.ghosts->after)});
+    if (order.ghosts->steps == render::GhostSteps::frames) add({"--onion-every", std::to_string(order.ghosts->every)});
+    if (order.ghosts->style == render::GhostStyle::faces) add({"--onion-faces"});
+  }
   if (order.sound == nullptr) {
     add({"--silent"});
   } else {

@@ -11,6 +11,7 @@
 #include "core/sound/sound.h"
 #include "ui/app/film/film_view.h"
 #include "ui/film/film_kind.h"
+#include "ui/render/ghosts/ghost_moments.h"
 
 namespace penpose::app {
 
@@ -29,8 +30,9 @@ struct FilmOrder {
   bool clay = false;
   bool matcap = false;
   bool shadows = false;
-  bool light = false;                   ///< the ground behind the model is
-  const sound::Sound* sound = nullptr;  ///< null: none
+  std::optional<render::GhostLook> ghosts{};  ///< the face before and after; nothing: it is not shown
+  bool light = false;                         ///< the ground behind the model is
+  const sound::Sound* sound = nullptr;        ///< null: none
   double sound_offset_s = 0;
 };
 

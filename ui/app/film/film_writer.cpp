@@ -61,6 +61,7 @@ bool FilmWriter::write(const std::string& path, const FilmEntry& entry) {
   order.clay = with_.look.clay;
   order.matcap = with_.look.matcap;
   order.shadows = with_.canvas.surface().appearance().light != nullptr;
+  if (with_.look.ghosts_in_films) order.ghosts = with_.look.ghosts;
   order.light = with_.preferences.settings().light;
   order.sound = with_.sound.sound();
   order.sound_offset_s = with_.sound.document_offset_s();

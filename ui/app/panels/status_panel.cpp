@@ -9,6 +9,7 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/view/outcome.h"
 #include "ui/app/view/shown_curves.h"
+#include "ui/render/ghosts/ghost_drawings.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 #include "ui/render/scene.h"
@@ -47,8 +48,8 @@ std::vector<std::pair<ImU32, const char*>> legend(const StatusPanelOwners& with)
   if (wanted) out.emplace_back(display(distance_color(1, 1)), "missed");
   if (held) out.emplace_back(display(render::curve_color(CurveKind::constraint)), "stays");
   if (with.look.onion_skin && moments.any() && !document.timeline->keys.empty()) {
-    out.emplace_back(display(render::from_srgb(k_before_color)), "key before");
-    out.emplace_back(display(render::from_srgb(k_after_color)), "after");
+    out.emplace_back(display(render::from_srgb(render::k_before_color)), "before");
+    out.emplace_back(display(render::from_srgb(render::k_after_color)), "after");
   }
   return out;
 }

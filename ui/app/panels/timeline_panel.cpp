@@ -301,6 +301,10 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
   row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
   row.add(Action{"overlap"}, with.overlap.open(), true, false);
   row.add(Action::onion_skin, with.look.onion_skin);
+  ButtonRow::Button onion{"##onion"};
+  onion.shows = [&with](PanelContext& panel, float width) { show_onion_button(panel, with.look, width); };
+  onion.width = 2 * context.unit;
+  row.add(std::move(onion));
   row.separate();
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};

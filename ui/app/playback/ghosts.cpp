@@ -3,46 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve/distance.h"
-#include "core/document/commands/apply.h"
 #include "core/document/time/timeline_editing.h"
+#include "ui/app/face/feature_words.h"
 #include "ui/app/playback/frames.h"
 
 namespace penpose::app {
 namespace {
 
-constexpr double k_ghost_same_s = 1e-6;
-/// A line farther from all ghosts than this share of the view's height is about none of them.
-constexpr double k_ghost_near_share = 0.12;
+/// A place farther from all ghosts than this share of the view's height is about none of them.
+constexpr double k_ghost_near_share = 0.06;
 /// Less is no change, as a share of a control's range.
 constexpr double k_ghost_moved_share = 1e-4;
-
-/// How far the line is from the curve, and the curve from the line, px.
-double px_apart(std::span<const PxPoint> line, std::span<const PxPoint> curve) {
-  const auto mean = [](std::span<const PxPoint> from, std::span<const PxPoint> to) {
-    double sum = 0;
-    for (const PxPoint& at : from) sum += curve::distance_to(to, at);
-    return sum / static_cast<double>(from.size());
-  };
-  return 0.5 * (mean(line, curve) + mean(curve, line));
-}
-
-/// The document as at the ghost's moment, with its curve alone, brought to the line.
-std::optional<rig::Pose> solved_at(const document::Document& document, const Ghost& ghost, const document::View& view,
-                                   std::span<const PxPoint> line) {
-  document::Document at = document;
-  at.time_s = ghost.time_s;
-  at.pose = document::pose_at(document, ghost.time_s);
-  at.face = nullptr;
-  at.moment = nullptr;
-  at.curves = {std::make_shared<const document::PoseCurve>(ghost.curve)};
-  at.last_curve = std::max(at.last_curve, ghost.curve.id.value);
-  document::ApplyWorkspace work;
-  const auto after =
-      document::apply(at, document::DrawTarget{ghost.curve.id, view, {line.begin(), line.end()}, {}}, work);
-  if (!after) return std::nullopt;
-  return after->pose;
-}
 
 }  // namespace
 
@@ -54,68 +25,14 @@ double share_left(double time_s, double changed_s, double from_s, double to_s) {
   return u * u * (3 - 2 * u);
 }
 
-std::vector<Ghost> ghosts_of(const document::Document& document, const document::View& view) {
-  std::vector<Ghost> ghosts;
-  const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  const document::PoseKey* before = nullptr;
-  const document::PoseKey* after = nullptr;
-  for (const document::PoseKey& key : document.timeline->keys) {
-    if (key.time_s < document.time_s - k_ghost_same_s) before = &key;
-    if (key.time_s > document.time_s + k_ghost_same_s && after == nullptr) after = &key;
-  }
-  std::vector<document::PoseCurve> curves;
-  for (const auto& curve : document.curves) {
-    if (curve->role != document::PoseCurveRole::reference || curve->points.size() < 2) continue;
-    curves.push_back(*curve);
-    curves.back().target.reset();
-  }
-  if (document.curves.empty()) {
-    for (const auto& curve : document.model->curves) {
-      if (curve.points.size() < 2) continue;
-      document::PoseCurve reference;
-      reference.id = {document.last_curve + 1};
-      reference.points = curve.points;
-      curves.push_back(std::move(reference));
-    }
-  }
-  for (const document::PoseKey* key : {before, after}) {
-    if (key == nullptr || !camera) continue;
-    document::Document at = document;
-    at.pose = document::pose_at(document, key->time_s);
-    for (const document::PoseCurve& curve : curves) {
-      Ghost ghost{key->time_s, curve, {}};
-      for (const auto& point : document::positions_of(at, curve.points)) {
-        if (const auto px = camera->project(point)) ghost.places.push_back(*px);
-      }
-      if (ghost.places.size() == curve.points.size()) ghosts.push_back(std::move(ghost));
-    }
-  }
-  return ghosts;
-}
-
-std::optional<GhostEdit> ghost_meant(const document::Document& document, const document::View& view,
-                                     std::span<const PxPoint> line) {
-  if (line.size() < 2) return std::nullopt;
-  const std::vector<Ghost> ghosts = ghosts_of(document, view);
-  const Ghost* nearest = nullptr;
-  double least = k_ghost_near_share * view.viewport.height;
-  for (const Ghost& ghost : ghosts) {
-    const double px = px_apart(line, ghost.places);
-    if (px >= least) continue;
-    least = px;
-    nearest = &ghost;
-  }
-  if (nearest == nullptr) return std::nullopt;
-  const auto posed = solved_at(document, *nearest, view, line);
-  if (!posed) return std::nullopt;
-  const double time_s = nearest->time_s;
+std::optional<GhostEdit> ghost_edit(const document::Document& document, double time_s, const rig::Pose& posed) {
   const document::Timeline& timeline = *document.timeline;
   const auto parameters = document.model->rig->parameters();
   const rig::Pose was = document::pose_at(document, time_s);
   GhostEdit edit;
   edit.time_s = edit.from_s = edit.to_s = time_s;
-  for (std::size_t p = 0; p < posed->size(); ++p) {
-    const double by = (*posed)[p] - was[p];
+  for (std::size_t p = 0; p < posed.size(); ++p) {
+    const double by = posed[p] - was[p];
     if (std::abs(by) <= k_ghost_moved_share * (parameters[p].maximum - parameters[p].minimum)) continue;
     edit.controls.push_back(p);
     edit.by.push_back(by);
@@ -123,7 +40,8 @@ std::optional<GhostEdit> ghost_meant(const document::Document& document, const d
   if (edit.controls.empty()) return std::nullopt;
   const std::size_t place = document::first_from(timeline, time_s);
   if (place > 0) edit.from_s = timeline.keys[place - 1].time_s;
-  if (place + 1 < timeline.keys.size()) edit.to_s = timeline.keys[place + 1].time_s;
+  const std::size_t next = document::key_at(timeline, time_s) ? place + 1 : place;
+  if (next < timeline.keys.size()) edit.to_s = timeline.keys[next].time_s;
   return edit;
 }
 
@@ -169,30 +87,120 @@ document::Command command_of(const document::Document& document, const GhostEdit
   return keys;
 }
 
-void GhostHand::draw(std::span<const PxPoint> line) {
-  const document::Document& document = editing_.document();
-  const auto edit = ghost_meant(document, editing_.editor().view(), line);
-  if (!edit) {
-    return notices_.tell(ghosts_of(document, editing_.editor().view()).empty()
-                             ? "there is no ghost here: key poses before or after this moment, and draw a feature"
-                             : "Nothing changed: draw where a line of a ghost should be, near to it");
+void GhostHand::follow(std::optional<double> time_s, std::optional<PxPoint> pen) {
+  if (!time_s) {
+    faces_.forget();
+    drawings_ = {};
+    veil_.reset();
+    draws_veil_.reset();
+    lit_.reset();
+    made_ = {};
+    return;
   }
+  EditingSession& editing = parts_.editing;
+  const document::View view{parts_.canvas.view().camera, parts_.canvas.window()};
+  const render::GhostLook& look = parts_.look.ghosts;
+  // A line that is being drawn keeps the ghost on which it began.
+  if (!editing.pen_is_drawing()) lit_.reset();
+  faces_.look_at({editing.document(), editing.features(), view, *time_s, static_cast<double>(parts_.playback.rate())},
+                 look);
+  if (pen && !editing.pen_is_drawing()) lit_ = place_at(*pen);
+  const auto scale = static_cast<float>(parts_.canvas.scale());
+  Made now{faces_.number(), parts_.canvas.surface().pose_number(), view, look.style, scale, lit_};
+  if (now == made_) return;
+  made_ = std::move(now);
+  drawings_.clear();
+  veil_.reset();
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera || faces_.ghosts().empty()) return;
+  const auto positions = parts_.canvas.surface().positions();
+  drawings_ = render::ghost_drawings(faces_.ghosts(), positions, *camera, {scale, lit_});
+  if (look.style != render::GhostStyle::faces) {
+    draws_veil_.reset();
+    return;
+  }
+  if (!draws_veil_) draws_veil_ = std::make_unique<render::GhostVeil>();
+  const PosedSurface& surface = parts_.canvas.surface();
+  veil_ = draws_veil_->draw(faces_.ghosts(),
+                            {*surface.model().mesh, surface.appearance(), surface.shape_number(), positions}, *camera,
+                            {scale, lit_});
+}
+
+std::optional<render::GhostPlace> GhostHand::place_at(PxPoint at) const {
+  return render::ghost_near(faces_.ghosts(), at, k_ghost_near_share * parts_.canvas.window().height);
+}
+
+std::optional<double> GhostHand::lit_s() const {
+  if (!lit_ || lit_->ghost >= faces_.ghosts().size()) return std::nullopt;
+  return faces_.ghosts()[lit_->ghost].moment.time_s;
+}
+
+std::string GhostHand::hint() const {
+  if (parts_.editing.document().timeline->keys.size() < 2)
+    return "Key two poses first: then the face before and after is seen as ghosts";
+  if (faces_.ghosts().empty()) return "No ghosts here: go to a moment between keys, or show more of them (Onion)";
+  const auto at_s = lit_s();
+  if (!at_s) return "Come near a line of a ghost, before (violet) or after (cyan), and draw it as it should be";
+  const std::string& feature = faces_.ghosts()[lit_->ghost].lines[lit_->line].feature;
+  return "A line here poses frame " + frame_text(*at_s, parts_.playback.rate()) +
+         (*at_s < parts_.playback.time_s() ? " (before)" : " (after)") +
+         (feature.empty() ? std::string() : ", near its " + feature_words(feature));
+}
+
+std::optional<rig::Pose> GhostHand::solved(const render::Ghost& ghost, const render::GhostLine& near,
+                                           std::span<const PxPoint> line) {
+  EditingSession& editing = parts_.editing;
+  document::Document at = editing.document();
+  at.time_s = ghost.moment.time_s;
+  at.pose = ghost.pose;
+  at.moment = nullptr;
+  // Lines that were drawn at that moment are read on with.
+  if (at.face && at.face->time_s != at.time_s) at.face = nullptr;
+  const document::View& view = editing.editor().view();
+  const std::vector<PxPoint> points(line.begin(), line.end());
+  const auto* curve = near.curve ? document::find_curve(at, *near.curve) : nullptr;
+  if (curve == nullptr) {
+    const auto after = editing.after(at, document::DrawFaceLine{{view, points}});
+    return after ? std::optional(after->pose) : std::nullopt;
+  }
+  document::PoseCurve reference = *curve;
+  reference.target.reset();
+  at.curves = {std::make_shared<const document::PoseCurve>(std::move(reference))};
+  const auto after = editing.after(at, document::DrawTarget{*near.curve, view, points, {}});
+  return after ? std::optional(after->pose) : std::nullopt;
+}
+
+void GhostHand::draw(std::span<const PxPoint> line) {
+  if (line.size() < 2) return;
+  const auto ghosts = faces_.ghosts();
+  const auto place = place_at(line.front());
+  if (!place || place->ghost >= ghosts.size()) {
+    return parts_.notices.tell(
+        ghosts.empty() ? "There is no ghost here: key poses before or after this moment, or show more ghosts (Onion)"
+                       : "Nothing changed: begin the line near a line of a ghost");
+  }
+  const render::Ghost& ghost = ghosts[place->ghost];
+  const auto posed = solved(ghost, ghost.lines[place->line], line);
+  const auto edit =
+      posed ? ghost_edit(parts_.editing.document(), ghost.moment.time_s, *posed) : std::optional<GhostEdit>();
+  if (!edit) return parts_.notices.tell("Nothing changed: draw a lip, a lid or a brow of the ghost where it should be");
   if (!perform(*edit)) return;
-  notices_.tell("frame " + frame_text(edit->time_s, playback_.rate()) + " was changed, from frame " +
-                frame_text(edit->from_s, playback_.rate()) + " to " + frame_text(edit->to_s, playback_.rate()) +
-                "; the bar over the timeline sets how far it goes");
+  const int rate = parts_.playback.rate();
+  parts_.notices.tell("Frame " + frame_text(edit->time_s, rate) + " was changed, from frame " +
+                      frame_text(edit->from_s, rate) + " to " + frame_text(edit->to_s, rate) +
+                      "; drag the bar over the timeline to change how far it goes");
 }
 
 bool GhostHand::perform(const GhostEdit& edit) {
-  const document::Document& document = editing_.document();
+  const document::Document& document = parts_.editing.document();
   const bool keyed = document.pose == document::pose_at(document, document.time_s);
   const double now_s = document.time_s;
   last_.reset();
-  if (!editing_.perform(command_of(document, edit))) return false;
+  if (!parts_.editing.perform(command_of(document, edit))) return false;
   // Between two keys the pose goes along; one that is not keyed stays.
-  if (keyed) editing_.perform_with(document::GoToTime{now_s});
+  if (keyed) parts_.editing.perform_with(document::GoToTime{now_s});
   last_ = edit;
-  revision_ = editing_.revision();
+  revision_ = parts_.editing.revision();
   return true;
 }
 
@@ -202,7 +210,7 @@ void GhostHand::reach(double from_s, double to_s) {
   edit.from_s = std::clamp(from_s, 0.0, edit.time_s);
   edit.to_s = std::clamp(to_s, edit.time_s, document::k_latest_key_s);
   if (edit.from_s == last_->from_s && edit.to_s == last_->to_s) return;
-  editing_.steps().undo();
+  parts_.editing.steps().undo();
   perform(edit);
 }
 

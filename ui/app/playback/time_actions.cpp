@@ -1,5 +1,6 @@
 #include "ui/app/playback/time_actions.h"
 
+#include <algorithm>
 #include <array>
 
 #include "ui/app/owners.h"
@@ -9,6 +10,32 @@ namespace penpose::app {
 namespace {
 
 void flip_on(bool& on) { on = !on; }
+
+/// Onion, which says why nothing is seen of it.
+void show_ghosts(CanvasLook& look, EditingSession& editing, Notices& notices) {
+  flip_on(look.onion_skin);
+  if (look.onion_skin && editing.document().timeline->keys.size() < 2)
+    notices.tell("Onion is on: key a pose at two moments, and from one of them the other is seen");
+}
+
+void flip_ghost_style(CanvasLook& look) {
+  using render::GhostStyle;
+  look.ghosts.style = look.ghosts.style == GhostStyle::faces ? GhostStyle::contours : GhostStyle::faces;
+  look.onion_skin = true;
+}
+
+void flip_ghost_steps(CanvasLook& look) {
+  using render::GhostSteps;
+  look.ghosts.steps = look.ghosts.steps == GhostSteps::keys ? GhostSteps::frames : GhostSteps::keys;
+  look.onion_skin = true;
+}
+
+template <int by>
+void add_ghosts(CanvasLook& look) {
+  for (int* count : {&look.ghosts.before, &look.ghosts.after})
+    *count = std::clamp(*count + by, 0, render::k_most_ghosts);
+  look.onion_skin = true;
+}
 
 void step(Playback& playback, int frames) { playback.go_to(step_frame(playback.time_s(), frames, playback.rate())); }
 
@@ -60,8 +87,20 @@ constinit const std::array k_time_actions{
      "M19 5L19 19M6 5L15 12L6 19Z", does([](Playback& playback) { playback.step_key(1); })},
     ActionInfo{{"play"}, "Play", plain_stroke(' '), {}, "Play from key to key",
      "M7 4L20 12L7 20F", does([](Playback& playback) { playback.play_or_stop(); })},
-    ActionInfo{{"onion_skin"}, "Onion", shift_stroke('o'), {}, "Show the curves at the keys before and after",
-     "C9 12 6C15 12 6", does([](CanvasLook& look) { flip_on(look.onion_skin); })},
+    ActionInfo{{"onion_skin"}, "Onion", shift_stroke('o'), {},
+     "Show the face before this moment (violet) and after it (cyan)", "C9 12 6C15 12 6", does<show_ghosts>},
+    ActionInfo{{"ghost_faces"}, "Onion as faces", {}, {},
+     "Show the face before and after as translucent faces, or as contours again", "C9 12 6F C15 12 6",
+     does<flip_ghost_style>},
+    ActionInfo{{"ghost_frames"}, "Onion at frames", {}, {},
+     "Show the face every few frames before and after, or at keys again", "C9 12 6C15 12 6M4 21L20 21",
+     does<flip_ghost_steps>},
+    ActionInfo{{"more_ghosts"}, "More ghosts", {}, {}, "Show one more face before and one more after",
+     "C9 12 6C15 12 6M20 3L20 7M18 5L22 5", does<add_ghosts<1>>},
+    ActionInfo{{"fewer_ghosts"}, "Fewer ghosts", {}, {}, "Show one face less before and one less after",
+     "C9 12 6C15 12 6M18 5L22 5", does<add_ghosts<-1>>},
+    ActionInfo{{"ghosts_in_films"}, "Onion in films", {}, {}, "Films and playblasts show the face before and after, too",
+     "M3 5L21 5L21 19L3 19ZC10 12 4C14 12 4", does([](CanvasLook& look) { flip_on(look.ghosts_in_films); })},
     ActionInfo{{"previous_frame"}, "Frame back", shift_stroke(','), ctrl_stroke(k_key_left), "Go one frame back",
      "M15 5L7 12L15 19Z", does([](Playback& playback) { step(playback, -1); })},
     ActionInfo{{"next_frame"}, "Frame on", shift_stroke('.'), ctrl_stroke(k_key_right), "Go one frame on",

@@ -52,6 +52,11 @@ class EditingSession {
   [[nodiscard]] base::Result<document::Document> after(const document::Command& command) {
     return live_->session().editor().after(command);
   }
+  /// The same of another document, such as this one at another moment.
+  [[nodiscard]] base::Result<document::Document> after(const document::Document& other,
+                                                       const document::Command& command) {
+    return live_->session().editor().after(other, command);
+  }
 
   /// The features of the document's face; empty: none are found. Valid until the next call.
   [[nodiscard]] std::span<const portrait::FeatureCurve> features() const {

@@ -38,6 +38,7 @@ void ToolInHand::take(const WindowTool& tool) {
 std::string ToolInHand::hint() const {
   if (parts_.performer.performing()) return "Recording frame by frame: lift the pen to end the take";
   const WindowTool& tool = now();
+  if (tool.shows_ghosts) return parts_.ghosts.hint();
   if (tool.hint == nullptr) return {};
   return tool.hint(
       {parts_.editing.document(), parts_.editing.editor().tool(), parts_.playback.while_drawing().performs});
@@ -47,6 +48,7 @@ void ToolInHand::press(PxPoint at) {
   line_ = {at};
   times_us_ = {parts_.editing.now_us()};
   revision_ = parts_.editing.revision();
+  if (now().shows_ghosts) parts_.ghosts.press(at);
 }
 
 void ToolInHand::move(PxPoint at) {

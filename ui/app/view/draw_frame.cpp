@@ -111,6 +111,7 @@ DrawFrame FrameMaker::make() {
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};
   DrawFrame frame = last_;
   frame.curves = parts_.drawing.curves;
+  frame.veil = parts_.drawing.veil;
   frame.behind = parts_.look.backdrop ? parts_.look.backdrop->seen(last_.view) : render::Behind();
   return frame;
 }

@@ -22,6 +22,7 @@ struct DrawFrame {
   std::vector<render::CurveDrawing> curves;
   render::Background background;
   render::Behind behind;
+  std::shared_ptr<const render::Image> veil;  ///< of ghosts (render::ghost_veil); null: none
   bool wireframe = false;
   bool clay = false;
   bool matcap = false;

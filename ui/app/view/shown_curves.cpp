@@ -271,45 +271,6 @@ void add_stroke(std::vector<CurveDrawing>& out, const EditingSession& editing, c
   out.push_back(std::move(drawing));
 }
 
-/// Where the curves of the model lie at the keys before and after a moment.
-void add_onion_skins(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
-  const document::Document& document = editing.document();
-  const auto& keys = document.timeline->keys;
-  const document::PoseKey* before = nullptr;
-  const document::PoseKey* after = nullptr;
-  for (const auto& key : keys) {
-    if (key.time_s < look.time_s - 1e-6) before = &key;
-    if (key.time_s > look.time_s + 1e-6 && after == nullptr) after = &key;
-  }
-  const auto add = [&](const document::PoseKey* key, std::uint32_t color) {
-    if (key == nullptr || key->pose.size() != document.pose.size()) return;
-    const auto draw = [&](const std::vector<mesh::MeshPoint>& points) {
-      std::vector<std::uint32_t> vertices;
-      for (const auto& point : points) {
-        const auto& corners = document.model->mesh->triangles()[point.triangle];
-        vertices.insert(vertices.end(), corners.begin(), corners.end());
-      }
-      std::vector<ModelPoint> at(vertices.size());
-      document.model->rig->bind(vertices)->evaluate(key->pose, at);
-      CurveDrawing drawing;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto& b = points[i].barycentric;
-        drawing.points.push_back(at[3 * i] * b[0] + at[3 * i + 1] * b[1] + at[3 * i + 2] * b[2]);
-      }
-      drawing.color = render::from_srgb(color, 0.8F);
-      drawing.width_px = k_thin_px * look.scale;
-      out.push_back(std::move(drawing));
-    };
-    if (document.curves.empty()) {
-      for (const auto& curve : document.model->curves) draw(curve.points);
-    } else {
-      for (const auto& curve : document.curves) draw(curve->points);
-    }
-  };
-  add(before, k_before_color);
-  add(after, k_after_color);
-}
-
 }  // namespace
 
 render::Color distance_color(double distance, double model_size) {
@@ -320,7 +281,7 @@ render::Color distance_color(double distance, double model_size) {
 std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const PosedSurface& surface,
                                        const CurveLook& look) {
   std::vector<CurveDrawing> out;
-  if (look.onion_skin && editing.moments().any()) add_onion_skins(out, editing, look);
+  out.insert(out.end(), look.ghosts.begin(), look.ghosts.end());
   if (editing.editor().tool().kind == drawing::ToolKind::articulate) {
     add_outline(out, editing, look);
     add_sketch(out, editing, look);

@@ -19,30 +19,26 @@ struct WindowTool;
 struct CurveLook {
   float scale = 1;  ///< px of the display for each px of an ordinary one
   std::optional<document::CurveId> highlighted;
-  std::optional<document::CurveId> dragged;  ///< a target in hand
-  geometry::PxPoint dragged_by;              ///< how far, px
-  std::optional<PullHold> pulled;            ///< it is held at a place; nothing: all of it
-  std::optional<double> control_target;      ///< the target of `deformer` at that value is in hand
-  bool features = false;                     ///< those of the face, faintly: what lines of it are read against
-  bool all_features = false;                 ///< also those that are not sure, and what was corrected
-  bool handles = false;                      ///< the middles by which whole targets are moved
-  bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
-  double time_s = 0;                         ///< of which moment
-  std::span<const ShownArc> arcs;            ///< paths over time
-  std::string deformer;                      ///< whose reference and target are shown; empty: of none
-  Stabiliser stabiliser = Stabiliser::off;   ///< of lines as they are shown
-  const WindowTool* tool = nullptr;          ///< in hand; null: the one of its kind
-  geometry::Viewport window;                 ///< in whose px curves on the glass are given
+  std::optional<document::CurveId> dragged;      ///< a target in hand
+  geometry::PxPoint dragged_by;                  ///< how far, px
+  std::optional<PullHold> pulled;                ///< it is held at a place; nothing: all of it
+  std::optional<double> control_target;          ///< the target of `deformer` at that value is in hand
+  bool features = false;                         ///< those of the face, faintly: what lines of it are read against
+  bool all_features = false;                     ///< also those that are not sure, and what was corrected
+  bool handles = false;                          ///< the middles by which whole targets are moved
+  std::span<const render::CurveDrawing> ghosts;  ///< the face at other moments
+  double time_s = 0;                             ///< of which moment
+  std::span<const ShownArc> arcs;                ///< paths over time
+  std::string deformer;                          ///< whose reference and target are shown; empty: of none
+  Stabiliser stabiliser = Stabiliser::off;       ///< of lines as they are shown
+  const WindowTool* tool = nullptr;              ///< in hand; null: the one of its kind
+  geometry::Viewport window;                     ///< in whose px curves on the glass are given
 };
 
 /// All curves to draw over the surface: what was drawn for posing, with the distance left along each target in colour;
-/// the curves of the deformer that is being drawn; those of the neighbouring keys; the stroke under the pen.
+/// the curves of the deformer that is being drawn; those of ghosts; the stroke under the pen.
 [[nodiscard]] std::vector<render::CurveDrawing> shown_curves(const EditingSession& editing, const PosedSurface& surface,
                                                              const CurveLook& look);
-
-/// Lines at the key before this moment, and at the one after it; sRGB. Unlike skin, and unlike what is drawn.
-inline constexpr std::uint32_t k_before_color = 0xc04bff;
-inline constexpr std::uint32_t k_after_color = 0x19c8d8;
 
 /// From blue, where a target is reached, to amber from a fiftieth of the model's size on.
 [[nodiscard]] render::Color distance_color(double distance, double model_size);

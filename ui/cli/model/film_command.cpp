@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/numbers.h"
@@ -50,6 +51,9 @@ struct FilmOptions {
   bool matcap = false;
   bool shadows = false;
   bool light = false;
+  std::string onion;
+  std::optional<int> onion_every;
+  bool onion_faces = false;
   bool progress = false;
   std::string draw;
 };
@@ -76,6 +80,33 @@ std::string check_sheet(const std::string& text) {
   const auto number = base::parse_int(text);
   if (text == "keys" || (number && *number >= 1 && *number <= k_most_frames)) return {};
   return "write keys, or a number for every so many frames, not \"" + text + "\"";
+}
+
+/// BEFORE,AFTER.
+std::optional<render::GhostLook> parse_onion(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  const auto before = base::parse_int(text.substr(0, comma));
+  const auto after = base::parse_int(text.substr(comma + 1));
+  const auto fits = [](const auto& count) { return count && *count >= 0 && *count <= render::k_most_ghosts; };
+  if (!fits(before) || !fits(after)) return std::nullopt;
+  render::GhostLook look;
+  look.before = static_cast<int>(*before);
+  look.after = static_cast<int>(*after);
+  return look;
+}
+
+std::string check_onion(const std::string& text) {
+  return parse_onion(text) ? "" : "write how many before and after, each 0 to 9, as in 1,2; not \"" + text + "\"";
+}
+
+std::optional<film::FilmGhosts> ghosts_of(const FilmOptions& options) {
+  if (options.onion.empty()) return std::nullopt;
+  render::GhostLook look = *parse_onion(options.onion);
+  if (options.onion_faces) look.style = render::GhostStyle::faces;
+  if (options.onion_every) look.steps = render::GhostSteps::frames;
+  look.every = options.onion_every.value_or(look.every);
+  return std::optional<film::FilmGhosts>(std::in_place, look);
 }
 
 /// The part of the picture that is filmed.
@@ -194,7 +225,9 @@ int run_film(const FilmOptions& options) {
   if (!camera) return files::report(camera.error(), options.picture.camera);
   render::Appearance appearance = render::make_appearance(*first);
   if (options.shadows) appearance.light = render::bake_light(*first, appearance);
-  const film::FrameLook look{*camera, *part, options.wireframe, options.clay, options.light, options.matcap};
+  auto ghosts = ghosts_of(options);
+  const film::FrameLook look{*camera,      *part,         options.wireframe,
+                             options.clay, options.light, ghosts ? &*ghosts : nullptr};
   const auto draw = [&](int frame) { return film::draw_frame(*frames, frame, **renderer, appearance, look); };
   std::optional<Progress> shown;
   const files::StopSignal stops;
@@ -244,6 +277,13 @@ void add_film_options(const Command& command, FilmOptions& options) {
   command.add_flag("--matcap", options.matcap, "the shape in the light of a ball");
   command.add_flag("--shadows", options.shadows, "with soft shadows, in cavities and on the ground");
   command.add_flag("--light", options.light, "on a light ground, as the window has it in light colours");
+  const Option onion = command.add_option(
+      "--onion", options.onion, "show so many faces before and after, at keys: as in 1,2 for one before and two after");
+  onion.check(check_onion, "BEFORE,AFTER");
+  command.add_option("--onion-every", options.onion_every, "not at keys, but every so many frames")
+      .check(whole_range(1, render::k_most_ghost_frames), "1 to 48")
+      .needs(onion);
+  command.add_flag("--onion-faces", options.onion_faces, "as translucent faces, not as lines alone").needs(onion);
   command.add_flag("--progress", options.progress,
                    "print a line for each picture that is drawn: how many there are, and of how many");
   command

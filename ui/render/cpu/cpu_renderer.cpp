@@ -6,6 +6,7 @@
 
 #include "ui/render/cpu/backdrop_rows.h"
 #include "ui/render/cpu/curve_ink.h"
+#include "ui/render/cpu/ghost_veil.h"
 #include "ui/render/cpu/ground_rows.h"
 #include "ui/render/cpu/occlusion.h"
 #include "ui/render/cpu/outlines.h"
@@ -38,6 +39,7 @@ struct CpuRenderer::State {
   std::shared_ptr<const document::Look> look;
   KeptPictures<TextureMap> textures;
   Behind behind;
+  std::shared_ptr<const Image> veil;
   bool occlude = true;
   bool smooths = false;
 
@@ -278,11 +280,13 @@ base::Result<Image> CpuRenderer::render(const Scene& scene, const geometry::Came
 base::Status CpuRenderer::draw(const Scene& scene, const geometry::Camera& camera, Image& picture) {
   if (auto drawn = state_->draw_surfaces(scene, camera); !drawn) return drawn.error();
   picture = state_->surfaces;
+  if (state_->veil) lay_veil(*state_->veil, picture);
   draw_curves(scene.curves, camera, picture);
   return base::Done{};
 }
 
 void CpuRenderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
+void CpuRenderer::set_veil(std::shared_ptr<const Image> veil) { state_->veil = std::move(veil); }
 void CpuRenderer::set_occlusion(bool on) { state_->occlude = on; }
 void CpuRenderer::set_smoothing(bool on) { state_->smooths = on; }
 bool CpuRenderer::refining() const { return state_->smooths && state_->still && state_->passes < k_smoothing_passes; }

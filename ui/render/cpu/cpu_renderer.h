@@ -20,6 +20,7 @@ class CpuRenderer final : public Renderer {
   base::Status draw(const Scene& scene, const geometry::Camera& camera, Image& picture);
 
   void set_behind(Behind behind) override;
+  void set_veil(std::shared_ptr<const Image> veil) override;
   void set_occlusion(bool on) override;
   void set_smoothing(bool on) override;
   [[nodiscard]] bool refining() const override;

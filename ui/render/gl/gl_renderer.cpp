@@ -32,7 +32,9 @@ struct GlRenderer::State {
   GroundPass ground_pass;
   std::optional<CurvePass> curve_pass;    ///< modern
   std::optional<CurveLayer> curve_layer;  ///< not modern
+  BehindPass veil_pass;
   Behind behind;
+  Behind veil;
   Framebuffers targets;
   bool occlude = true;
   bool smooths = false;
@@ -52,6 +54,7 @@ struct GlRenderer::State {
   void add_pass(const Scene& scene, View view, geometry::Viewport viewport);
   void draw_background(const Background& colors) const;
   void draw_occlusion(const View& view, geometry::Viewport viewport);
+  void draw_veil(geometry::Viewport viewport);
   void draw_still(const Scene& scene, const View& view, geometry::Viewport viewport, bool same);
 };
 
@@ -86,6 +89,9 @@ base::Status GlRenderer::State::add_programs() {
   auto ground_made = GroundPass::make(dialect);
   if (!ground_made) return ground_made.error();
   ground_pass = std::move(*ground_made);
+  auto veil_made = BehindPass::make(dialect);
+  if (!veil_made) return veil_made.error();
+  veil_pass = std::move(*veil_made);
   if (!dialect.modern) {
     auto made = CurveLayer::make(dialect);
     if (!made) return made.error();
@@ -175,6 +181,15 @@ void GlRenderer::State::add_pass(const Scene& scene, View view, geometry::Viewpo
   targets.show_average([&](unsigned texture) { copy_texture(texture); });
 }
 
+void GlRenderer::State::draw_veil(geometry::Viewport viewport) {
+  veil.to = {static_cast<double>(viewport.width), static_cast<double>(viewport.height)};
+  if (!veil_pass.begin(veil, viewport)) return;
+  // The picture stays opaque.
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  screen.draw();
+  BehindPass::end();
+}
+
 /// Surfaces that do not change while this picture is drawn.
 void GlRenderer::State::draw_still(const Scene& scene, const View& view, geometry::Viewport viewport, bool same) {
   const bool one_sample = !dialect.modern || targets.samples() == 0;
@@ -230,6 +245,7 @@ base::Status GlRenderer::draw_picture(const Scene& scene, const geometry::Camera
   s.draw_still(scene, view, camera.viewport(), same);
   if (s.occludes() && !scene.triangles.empty() && !s.mesh.has_toon()) s.draw_occlusion(view, camera.viewport());
   s.targets.begin_picture();
+  s.draw_veil(camera.viewport());
   if (s.curve_pass) s.curve_pass->draw(scene.curves, camera);
   if (s.curve_layer) s.curve_layer->draw(scene.curves, camera, s.screen);
   return base::Done{};
@@ -248,6 +264,7 @@ base::Status GlRenderer::draw(const Scene& scene, const geometry::Camera& camera
 
 const GlDialect& GlRenderer::dialect() const { return state_->dialect; }
 void GlRenderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
+void GlRenderer::set_veil(std::shared_ptr<const Image> veil) { state_->veil.image = std::move(veil); }
 void GlRenderer::set_smoothing(bool on) {
   state_->smooths = on;
   state_->targets.set_most_samples(on ? 1 : k_most_samples);

@@ -28,6 +28,7 @@ class GlRenderer final : public Renderer {
   /// What its context is asked for, for whoever draws beside it.
   [[nodiscard]] const GlDialect& dialect() const;
   void set_behind(Behind behind) override;
+  void set_veil(std::shared_ptr<const Image> veil) override;
   void set_occlusion(bool on) override;
   void set_smoothing(bool on) override;
   [[nodiscard]] std::vector<std::string> take_undrawn() override;

@@ -372,7 +372,7 @@ TEST(SharedPads, EveryKeyAndTheRingOfARecordedIntuosProDoWhatIsBound) {
   while (desk.app->of<Player>().trace && !desk.app->of<Player>().trace->finished()) {
     desk.frames(1);
     count("wire", desk.app->of<CanvasLook>().wireframe);
-    count("onion", !desk.app->of<CanvasLook>().onion_skin);
+    count("onion", desk.app->of<CanvasLook>().onion_skin);
     count("turn", desk.app->of<HandDesk>().held(Binding::Kind::view) != nullptr);
     count("pin", desk.app->of<EditingSession>().editor().tool().kind == ToolKind::pin);
     count("hold", desk.app->of<EditingSession>().editor().tool().kind == ToolKind::constraint);

@@ -150,7 +150,7 @@ TEST(Room, WhatHasNoRoomStandsInAMenu) {
   EXPECT_EQ(desk.interface->find("Onion"), nullptr);
   desk.click("More##more of time");
   desk.click("Onion");
-  EXPECT_FALSE(desk.app->of<CanvasLook>().onion_skin);
+  EXPECT_TRUE(desk.app->of<CanvasLook>().onion_skin);
 }
 
 TEST(Room, ATooltipComesOnlyToAPointerThatRests) {

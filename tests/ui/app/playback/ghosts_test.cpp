@@ -5,7 +5,8 @@
 
 #include "tests/support/app_desk.h"
 
-// Ghosts are drawn on: the moment that they are of is changed, and the change goes out on both sides.
+// The face at other moments is shown and drawn on: the moment that is drawn on is changed, and the change goes out on
+// both sides.
 
 namespace penpose::app {
 namespace {
@@ -24,18 +25,18 @@ class GhostDesk : public Desk {
     frames();
   }
   void perform(const document::Command& command) { ASSERT_TRUE(app->of<EditingSession>().perform(command)); }
-  /// The ghost of the lower lip at a moment, moved by px.
+  const GhostHand& hand() const { return app->of<GhostHand>(); }
+  /// The lower lip of the ghost of a moment, moved by px.
   std::vector<PxPoint> ghost(double time_s, PxPoint by) const {
-    std::size_t number = 0;
-    while (document().model->curves[number].name != "lip_lower") ++number;
-    std::size_t of_moment = 0;
-    for (const Ghost& one : ghosts_of(document(), app->of<Canvas>().view())) {
-      if (one.time_s != time_s || of_moment++ != number) continue;
-      std::vector<PxPoint> line;
-      for (const PxPoint& at : one.places) line.push_back(at + by);
-      return line;
+    std::vector<PxPoint> longest;
+    for (const render::Ghost& one : hand().faces().ghosts()) {
+      for (const render::GhostLine& line : one.lines) {
+        const bool lip = line.feature.find("lip_lower") == 0 && line.places.size() > longest.size();
+        if (one.moment.time_s == time_s && lip) longest = line.places;
+      }
     }
-    return {};
+    for (PxPoint& at : longest) at = at + by;
+    return longest;
   }
   rig::Pose pose(double time_s) const { return document::pose_at(document(), time_s); }
   bool says(const std::string& text) const {
@@ -57,7 +58,7 @@ TEST(Ghosts, TheMomentThatIsDrawnOnIsChangedAndNoOther) {
   const auto target = desk.ghost(1, {0, 12});
   ASSERT_GT(target.size(), 2U);
   desk.stroke(target);
-  EXPECT_TRUE(desk.says("frame 24 was changed, from frame 0 to 48"));
+  EXPECT_TRUE(desk.says("Frame 24 was changed, from frame 0 to 48"));
   EXPECT_EQ(desk.pose(0), poses[0]);
   EXPECT_EQ(desk.pose(2), poses[2]);
   EXPECT_NE(desk.pose(1), poses[1]);
@@ -67,6 +68,85 @@ TEST(Ghosts, TheMomentThatIsDrawnOnIsChangedAndNoOther) {
   EXPECT_EQ(desk.document().pose, desk.pose(0.5));
   desk.press('z', true);
   EXPECT_EQ(*desk.document().timeline, before) << "one step";
+}
+
+TEST(Ghosts, TheOneThatWouldTakeALineIsSaidWhileThePenHovers) {
+  GhostDesk desk("ghost-lit");
+  EXPECT_FALSE(desk.hand().lit_s());
+  const auto lip = desk.ghost(1, {});
+  ASSERT_GT(lip.size(), 2U);
+  desk.app->of<Pointer>().moved(lip[lip.size() / 2]);
+  desk.frames();
+  EXPECT_EQ(desk.hand().lit_s(), 1);
+  EXPECT_NE(desk.hand().hint().find("frame 24 (after)"), std::string::npos) << desk.hand().hint();
+  const auto drawings = desk.hand().drawings();
+  EXPECT_TRUE(std::any_of(drawings.begin(), drawings.end(), [](const auto& one) { return one.highlighted; }));
+}
+
+TEST(Ghosts, AFeatureThatNobodyDrewIsPosedAsTheToolDrawWouldThere) {
+  GhostDesk desk("ghost-draw");
+  const auto line = desk.ghost(1, {0, 12});
+  desk.stroke(line);
+  const auto on_ghost = desk.pose(1);
+  desk.press('z', true);
+  desk.app->of<Playback>().go_to(1);
+  desk.app->of<Actions>().run(Action::tool_draw);
+  desk.frames();
+  desk.stroke(line);
+  for (std::size_t p = 0; p < on_ghost.size(); ++p)
+    EXPECT_NEAR(desk.document().pose[p], on_ghost[p], 0.02) << desk.document().model->rig->parameters()[p].name;
+}
+
+TEST(Ghosts, OnionShowsThemAndNothingIsKeptWithoutIt) {
+  GhostDesk desk("ghost-onion");
+  desk.app->of<Actions>().run(Action::tool_draw);
+  desk.frames();
+  EXPECT_TRUE(desk.hand().faces().ghosts().empty());
+  EXPECT_TRUE(desk.hand().drawings().empty());
+  desk.click("Onion");
+  EXPECT_EQ(desk.hand().faces().ghosts().size(), 2U) << "the key before and the key after";
+  EXPECT_FALSE(desk.hand().drawings().empty());
+  desk.app->of<Actions>().run(Action{"more_ghosts"});
+  desk.frames();
+  EXPECT_EQ(desk.hand().faces().ghosts().size(), 3U) << "there is one key before, and two of those after are shown";
+  EXPECT_EQ(desk.hand().veil(), nullptr);
+  desk.app->of<Actions>().run(Action{"ghost_faces"});
+  desk.frames();
+  EXPECT_NE(desk.hand().veil(), nullptr);
+  desk.press(' ');
+  EXPECT_TRUE(desk.hand().drawings().empty()) << "what is played is looked at as it will be seen";
+  EXPECT_EQ(desk.hand().veil(), nullptr);
+}
+
+TEST(Ghosts, FramesThatShowTheSameMakeNothingAnew) {
+  GhostDesk desk("ghost-idle");
+  desk.app->of<Pointer>().moved({600, 60});
+  desk.frames();
+  const render::GhostFaces& faces = desk.hand().faces();
+  const auto posed = faces.posed(), traced = faces.traced();
+  const auto* drawn = desk.hand().drawings().data();
+  desk.frames(10);
+  EXPECT_EQ(faces.posed(), posed);
+  EXPECT_EQ(faces.traced(), traced);
+  EXPECT_EQ(desk.hand().drawings().data(), drawn);
+  desk.app->of<Playback>().go_to(0.75);
+  desk.frames();
+  EXPECT_EQ(faces.posed(), posed) << "between the same keys the same faces are seen";
+  EXPECT_EQ(faces.traced(), traced);
+}
+
+TEST(Ghosts, BetweenKeysAFrameIsChangedUpToTheKeysAroundIt) {
+  GhostDesk desk("ghost-frames");
+  desk.app->of<CanvasLook>().ghosts.steps = render::GhostSteps::frames;
+  desk.app->of<CanvasLook>().ghosts.every = 6;
+  desk.frames();
+  const auto before = desk.pose(0);
+  desk.stroke(desk.ghost(0.75, {0, 12}));
+  ASSERT_NE(desk.hand().last(), nullptr);
+  EXPECT_EQ(desk.hand().last()->time_s, 0.75);
+  EXPECT_EQ(desk.hand().last()->from_s, 0);
+  EXPECT_EQ(desk.hand().last()->to_s, 1);
+  EXPECT_EQ(desk.pose(0), before);
 }
 
 TEST(Ghosts, TheBarSetsHowFarTheChangeGoes) {

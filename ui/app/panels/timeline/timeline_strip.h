@@ -107,6 +107,9 @@ class KeyRow {
 /// How far the last change of a ghost goes, where there is one (ghost_reach.cpp).
 void show_ghost_reach(PanelContext& context, const TimelineOwners& with);
 
+/// How many ghosts are shown, and a menu of how they are (onion_menu.cpp).
+void show_onion_button(PanelContext& context, CanvasLook& look, float width);
+
 /// The rows of controls below the whole poses (dope_sheet.cpp), `height` px high.
 void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float height);
 /// Their curves (curve_editor.cpp), likewise.

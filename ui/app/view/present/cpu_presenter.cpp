@@ -7,6 +7,7 @@
 #include "ui/app/view/present/panel_layer.h"
 #include "ui/render/cpu/cpu_renderer.h"
 #include "ui/render/cpu/curve_ink.h"
+#include "ui/render/cpu/ghost_veil.h"
 #include "ui/render/picture/doubled.h"
 
 namespace penpose::app {
@@ -64,6 +65,7 @@ class CpuPresenter final : public Presenter {
  private:
   base::Status draw_whole(const DrawFrame& frame) {
     renderer_->set_behind(frame.behind);
+    renderer_->set_veil(frame.veil);
     const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
     if (!camera) return camera.error();
     return renderer_->draw(scene_of(frame), *camera, picture_);
@@ -76,6 +78,7 @@ class CpuPresenter final : public Presenter {
     behind.from = behind.from * 0.5;
     behind.to = behind.to * 0.5;
     renderer_->set_behind(behind);
+    renderer_->set_veil(nullptr);
     const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
     const auto small = geometry::Camera::make(frame.view.camera, {(width + 1) / 2, (height + 1) / 2});
     if (!camera) return camera.error();
@@ -87,6 +90,7 @@ class CpuPresenter final : public Presenter {
     picture_.height = height;
     picture_.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     render::draw_doubled(coarse_, picture_);
+    if (frame.veil) render::lay_veil(*frame.veil, picture_);
     render::draw_curves(frame.curves, *camera, picture_);
     return base::Done{};
   }

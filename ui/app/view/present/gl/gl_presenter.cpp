@@ -49,6 +49,7 @@ class GlPresenter final : public Presenter {
 
   base::Status draw(const DrawFrame& frame, ImDrawData& panels) override {
     renderer_->set_behind(frame.behind);
+    renderer_->set_veil(frame.veil);
     const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
     if (!camera) return camera.error();
     if (auto drawn = renderer_->draw(scene_of(frame), *camera, 0, 0, 0); !drawn) return drawn;
