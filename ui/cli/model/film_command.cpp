@@ -226,8 +226,13 @@ int run_film(const FilmOptions& options) {
   render::Appearance appearance = render::make_appearance(*first);
   if (options.shadows) appearance.light = render::bake_light(*first, appearance);
   auto ghosts = ghosts_of(options);
-  const film::FrameLook look{*camera,      *part,         options.wireframe,
-                             options.clay, options.light, ghosts ? &*ghosts : nullptr};
+  const film::FrameLook look{.camera = *camera,
+                             .part = *part,
+                             .wireframe = options.wireframe,
+                             .matcap = options.matcap,
+                             .clay = options.clay,
+                             .light = options.light,
+                             .ghosts = ghosts ? &*ghosts : nullptr};
   const auto draw = [&](int frame) { return film::draw_frame(*frames, frame, **renderer, appearance, look); };
   std::optional<Progress> shown;
   const files::StopSignal stops;
