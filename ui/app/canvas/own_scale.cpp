@@ -1,6 +1,7 @@
 #include "ui/app/canvas/own_scale.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
@@ -9,7 +10,7 @@ namespace penpose::app {
 namespace {
 
 constexpr double k_least = 0.5, k_most = 4;
-constexpr double k_scale_one_dpi = 96, k_least_dpi = 24, k_most_dpi = 768;
+constexpr double k_least_dpi = 24, k_most_dpi = 768;
 
 bool heeded(double scale) { return scale >= k_least && scale <= k_most; }
 
@@ -23,7 +24,20 @@ double own_scale(const SystemScale& system) {
   if (const double text = system.text_dpi / k_scale_one_dpi; heeded(text)) return text;
   constexpr double k_chosen = 1.01;
   if (system.px_a_unit >= k_chosen && heeded(system.px_a_unit)) return system.px_a_unit;
-  return heeded(system.toolkits) ? system.toolkits : 0;
+  if (heeded(system.toolkits)) return system.toolkits;
+  // Servers say 96 unless they are told otherwise, give or take a millimetre.
+  constexpr double k_rounding_dpi = 2;
+  const double server = system.server_dpi / k_scale_one_dpi;
+  return heeded(server) && std::abs(system.server_dpi - k_scale_one_dpi) > k_rounding_dpi ? server : 0;
+}
+
+double dpi_of(int px, int millimetres) {
+  constexpr double k_mm_per_inch = 25.4;
+  return px > 0 && millimetres > 0 ? px * k_mm_per_inch / millimetres : 0;
+}
+
+int opened_px(int usual, double scale, int all) {
+  return std::min(all, static_cast<int>(std::lround(usual * (heeded(scale) ? scale : 1))));
 }
 
 std::optional<double> xft_dpi(std::string_view resources) {

@@ -2,7 +2,7 @@
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/files/recording.h"
-#include "ui/app/panels/menu_panel.h"
+#include "ui/app/menu/menu_panel.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/preferences.h"

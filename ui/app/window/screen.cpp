@@ -38,6 +38,7 @@ Screen::Screen(const files::WindowRequest& request)
       rotation_(rotation_of(request.rotate).value_or(Rotation::none)),
       finger_rotation_(turned_input(request.rotate_input) == TurnedInput::none ? Rotation::none : rotation_),
       wanted_dpi_(request.dpi),
+      wanted_scale_(request.scale),
       slow_(request.slow_screen) {
   const char* driver = std::getenv("SDL_VIDEODRIVER");
   bare_ = driver != nullptr ? is_bare(driver) : !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY");
@@ -79,7 +80,16 @@ base::Status Screen::start(render::DrawWay way) {
     if (!bare_) return base::Done{};
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
   }
-  if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) return base::Done{};
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) {
+    const char* driver = SDL_GetCurrentVideoDriver();
+    on_x_ = driver != nullptr && std::string_view(driver) == "x11";
+    if (on_x_) {
+      const XDisplaySays says = ask_x_display();
+      text_dpi_ = xft_dpi(says.resources).value_or(0);
+      server_dpi_ = says.dpi;
+    }
+    return base::Done{};
+  }
   const std::string why = SDL_GetError();
   return base::Error{"there is no display to open a window on (" + why.substr(0, why.find('\n')) + ")", "",
                      "start it on a desktop, or on a console as a user of the group video; `penpose --help` lists what "
@@ -100,8 +110,9 @@ SDL_Rect Screen::place_of_window(bool fills) const {
   SDL_Rect all = k_usual;
   SDL_GetDisplayBounds(index, &all);
   if (fills || bare_) return all;
-  const int width = std::min(all.w, k_usual.w);
-  const int height = std::min(all.h, k_usual.h);
+  const double scale = opening_scale(index);
+  const int width = opened_px(k_usual.w, scale, all.w);
+  const int height = opened_px(k_usual.h, scale, all.h);
   return {all.x + (all.w - width) / 2, all.y + (all.h - height) / 2, width, height};
 }
 
@@ -114,8 +125,6 @@ void Screen::take(SDL_Window* window) {
   } else {
     SDL_Rect all = k_usual;
     SDL_GetDisplayBounds(SDL_GetWindowDisplayIndex(window), &all);
-    const char* driver = SDL_GetCurrentVideoDriver();
-    if (driver != nullptr && std::string_view(driver) == "x11") text_dpi_ = xft_dpi(x_resources()).value_or(0);
     SDL_SetWindowMinimumSize(window, std::min(all.w, 480), std::min(all.h, 320));
   }
 }
@@ -136,21 +145,38 @@ geometry::Viewport Screen::panel() const {
 }
 
 double Screen::dpi() const {
+  if (bare_) return wanted_dpi_ > 0 ? wanted_dpi_ : bare_dpi_;
+  return display_dpi(SDL_GetWindowDisplayIndex(window_));
+}
+
+double Screen::display_dpi(int index) const {
   if (wanted_dpi_ > 0) return wanted_dpi_;
-  if (bare_) return bare_dpi_;
   float diagonal = 0;
-  if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window_), &diagonal, nullptr, nullptr) != 0) return 0;
+  if (SDL_GetDisplayDPI(index, &diagonal, nullptr, nullptr) != 0) return server_dpi_;
   return static_cast<double>(diagonal);
 }
 
+double Screen::opening_scale(int index) const {
+  if (wanted_scale_ > 0) return wanted_scale_;
+  // Elsewhere a window's units are those that the compositor scales.
+  if (!on_x_) return 1;
+  const double own = desktop_scale(1);
+  return own > 0 ? own : display_dpi(index) / k_scale_one_dpi;
+}
+
 double Screen::own_scale() const {
-  if (wanted_dpi_ > 0 || bare_) return 0;
-  SystemScale system;
-  system.text_dpi = text_dpi_;
   int width = 0;
   int height = 0;
   SDL_GetWindowSize(window_, &width, &height);
-  if (width > 0) system.px_a_unit = static_cast<double>(panel().width) / width;
+  return desktop_scale(width > 0 ? static_cast<double>(panel().width) / width : 0);
+}
+
+double Screen::desktop_scale(double px_a_unit) const {
+  if (wanted_dpi_ > 0 || bare_) return 0;
+  SystemScale system;
+  system.text_dpi = text_dpi_;
+  system.px_a_unit = px_a_unit;
+  system.server_dpi = server_dpi_;
   const char* qt = std::getenv("QT_SCALE_FACTOR");
   system.toolkits = qt != nullptr ? toolkit_scale(qt, nullptr)
                                   : toolkit_scale(std::getenv("GDK_SCALE"), std::getenv("GDK_DPI_SCALE"));

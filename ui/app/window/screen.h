@@ -57,16 +57,25 @@ class Screen {
 
  private:
   [[nodiscard]] geometry::Viewport panel() const;
+  /// Of one of SDL's displays; 0: it is not known.
+  [[nodiscard]] double display_dpi(int index) const;
+  /// Px of a window that is opened for each px of an ordinary one; out of 0.5..4: not known.
+  [[nodiscard]] double opening_scale(int index) const;
+  /// own_scale() of a window with so many px for each of its units.
+  [[nodiscard]] double desktop_scale(double px_a_unit) const;
 
   std::optional<int> wanted_;
   Rotation rotation_;
   Rotation finger_rotation_;  ///< none where the system turns fingers itself
   double wanted_dpi_;
+  double wanted_scale_;  ///< 0: none
   bool slow_;
   bool bare_;                 ///< there is no desktop
   bool bare_output_ = false;  ///< `output_` is a whole screen
   double bare_dpi_ = 0;
-  double text_dpi_ = 0;           ///< of the X resources; 0: none
+  bool on_x_ = false;             ///< the desktop is an X server
+  double text_dpi_ = 0;           ///< of its resources; 0: none
+  double server_dpi_ = 0;         ///< that it was started with; 0: none
   geometry::PxPoint bare_mouse_;  ///< on the panel, where `bare_output_`
   std::unique_ptr<PictureOutput> output_;
   SDL_Window* window_ = nullptr;

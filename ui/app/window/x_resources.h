@@ -4,8 +4,14 @@
 
 namespace penpose::app {
 
-/// The resources that a desktop has given the X server (RESOURCE_MANAGER), of the display that the environment names.
-/// Empty where there are none, or no X library, which is looked for as the program runs: nothing is linked to it.
-[[nodiscard]] std::string x_resources();
+/// What the X server of the display that the environment names says of sizes.
+struct XDisplaySays {
+  std::string resources;  ///< that a desktop has given it (RESOURCE_MANAGER); empty: none
+  double dpi = 0;         ///< its own, by px and millimetres of the whole screen; 0: it says none
+};
+
+/// Asks it, by an X library that is looked for as the program runs: nothing is linked to it. Nothing is said where
+/// there is none.
+[[nodiscard]] XDisplaySays ask_x_display();
 
 }  // namespace penpose::app

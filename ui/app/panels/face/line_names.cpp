@@ -8,6 +8,9 @@
 namespace penpose::app {
 namespace {
 
+/// Share of its height that a name keeps free above and below.
+constexpr double k_name_inset = 0.15;
+
 using document::PxPoint;
 
 /// Beside the end of a line that lies farther from the middle of the face.
@@ -40,7 +43,7 @@ double middle_x(const std::vector<LineName>& names) {
 
 /// Where each name is, below those that are there already.
 std::vector<Area> places_of(const PanelContext& context, const Area& free, const std::vector<LineName>& names) {
-  const auto high = 0.7 * static_cast<double>(context.unit), gap = static_cast<double>(context.gap);
+  const auto high = static_cast<double>(context.unit), gap = static_cast<double>(context.gap);
   const double middle = middle_x(names);
   std::vector<Area> out;
   for (const LineName& one : names) {
@@ -78,8 +81,10 @@ std::vector<std::optional<Area>> show_line_names(PanelContext& context, const Ar
     const bool hovered = touchable && area.holds({static_cast<double>(mouse.x), static_cast<double>(mouse.y)}) &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow) && !context.menu_open &&
                          !context.dialog_area && !ImGui::IsAnyItemActive();
-    const ImVec2 from{static_cast<float>(area.left), static_cast<float>(area.top)};
-    const ImVec2 to{static_cast<float>(area.right), static_cast<float>(area.bottom)};
+    // What is touched is higher than what is seen, which is to hide little.
+    const double inset = k_name_inset * area.height();
+    const ImVec2 from{static_cast<float>(area.left), static_cast<float>(area.top + inset)};
+    const ImVec2 to{static_cast<float>(area.right), static_cast<float>(area.bottom - inset)};
     const ImU32 back = color_of(names[i].known ? k_canvas_colors.name_known : k_canvas_colors.name_guess, 0.87F);
     list.AddRectFilled(from, to, back, 0.35F * (to.y - from.y));
     if (hovered) list.AddRect(from, to, color_of(k_canvas_colors.ink), 0.35F * (to.y - from.y), 0, 2);

@@ -99,7 +99,7 @@ void text_beside(PanelContext& context, const char* text) {
 
 float button_width(const PanelContext& context, const char* label, std::string_view icon, bool text) {
   const float wide = text ? ImGui::CalcTextSize(label, nullptr, true).x : 0;
-  const float drawn = icon.empty() ? 0 : k_icon * context.unit + (text ? 0.5F * context.gap : 0);
+  const float drawn = icon.empty() ? 0 : k_icon * context.unit + (text ? context.gap : 0);
   return std::max(context.unit, wide + drawn + 0.6F * context.unit);
 }
 
@@ -130,7 +130,7 @@ void draw_on_button(const PanelContext& context, std::string_view label, const B
   const ImU32 ink = color_of(ImGui::IsItemActive() ? palette().on_accent : color);
   const std::string_view said = look.text ? label.substr(0, label.find("##")) : std::string_view();
   float icon_px = look.icon.empty() ? 0 : k_icon * context.unit;
-  float between = icon_px > 0 && !said.empty() ? 0.5F * context.gap : 0;
+  float between = icon_px > 0 && !said.empty() ? context.gap : 0;
   const float key_px = look.key.empty() ? 0 : ImGui::CalcTextSize(look.key.data(), look.key.data() + look.key.size()).x;
   const float pad = 0.22F * context.unit;
   // A word that is whole says more than a part of it beside a picture.

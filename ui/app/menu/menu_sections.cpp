@@ -1,4 +1,4 @@
-#include "ui/app/menu_sections.h"
+#include "ui/app/menu/menu_sections.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "ui/app/panels/menu_panel.h"
+#include "ui/app/menu/menu_panel.h"
 
 #include <algorithm>
 #include <cfloat>
 
-#include "ui/app/menu_sections.h"
+#include "ui/app/menu/menu_sections.h"
 #include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -62,14 +62,37 @@ void show_entry(PanelContext& context, const Preferences& preferences, Action ac
   context.actions.run(action);
 }
 
+/// Where columns begin: between groups as long as none is higher than `fit` rows nor one more than `most`, else evenly.
+std::vector<std::size_t> columns_of(const std::vector<MenuPlace>& places, std::size_t fit, std::size_t most) {
+  std::vector<std::size_t> columns{0};
+  std::size_t group = 0;
+  bool too_long = false;
+  for (std::size_t i = 1; i <= places.size(); ++i) {
+    if (i < places.size() && !places[i].first_of_group) continue;
+    if (i - columns.back() > fit) {
+      if (group > columns.back()) columns.push_back(group);
+      too_long = too_long || i - columns.back() > fit;
+    }
+    group = i;
+  }
+  if (columns.size() <= most && !too_long) return columns;
+  const std::size_t count = std::clamp<std::size_t>((places.size() + fit - 1) / fit, 1, most);
+  const std::size_t rows = (places.size() + count - 1) / count;
+  columns.clear();
+  for (std::size_t from = 0; from < places.size(); from += rows) columns.push_back(from);
+  return columns;
+}
+
 /// Entries in columns, each as high as there is room; a line between groups, none at a column's head.
 void show_entries(PanelContext& context, const Preferences& preferences, const std::vector<MenuPlace>& places,
-                  std::size_t rows) {
+                  const std::vector<std::size_t>& columns) {
   const float width = k_entry_units * context.unit;
-  for (std::size_t from = 0; from < places.size(); from += rows) {
-    if (from > 0) ImGui::SameLine();
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    const std::size_t from = columns[column];
+    const std::size_t to = column + 1 < columns.size() ? columns[column + 1] : places.size();
+    if (column > 0) ImGui::SameLine();
     ImGui::BeginGroup();
-    for (std::size_t i = from; i < std::min(from + rows, places.size()); ++i) {
+    for (std::size_t i = from; i < to; ++i) {
       if (places[i].first_of_group && i > from) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float y = at.y - 0.5F * ImGui::GetStyle().ItemSpacing.y;
@@ -113,10 +136,8 @@ void show_menu(PanelContext& context, const Preferences& preferences, float top)
                      k_sections_units * context.unit - 2 * style.ItemSpacing.x;
   const auto fit = static_cast<std::size_t>(std::max(1.0F, (height - 2 * style.WindowPadding.y) / row));
   const auto most = static_cast<std::size_t>(std::max(1.0F, (room + style.ItemSpacing.x) / column));
-  // As few columns as end above the window's foot; where that many have no room, all that have.
-  const std::size_t columns = std::clamp<std::size_t>((places.size() + fit - 1) / fit, 1, most);
   ImGui::BeginGroup();
-  show_entries(context, preferences, places, (places.size() + columns - 1) / columns);
+  show_entries(context, preferences, places, columns_of(places, fit, most));
   ImGui::EndGroup();
   ImGui::EndPopup();
 }
