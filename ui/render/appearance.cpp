@@ -128,6 +128,8 @@ void take_look(const document::Model& model, Appearance& appearance) {
 
 /// An eye that has an iris of its own keeps this distance from the axis: it is wet, and nothing is painted on it.
 constexpr float k_no_iris = 0.7F;
+/// In radii of an eyeball: what is called so and within it belongs to it.
+constexpr double k_around_eye = 1.3;
 
 /// Whether nothing in the file paints an iris on it: all of it has one colour and no picture.
 bool is_blank(const document::Model& model, const Appearance& appearance, std::uint32_t component) {
@@ -149,10 +151,10 @@ bool is_blank(const document::Model& model, const Appearance& appearance, std::u
   return true;
 }
 
-std::vector<Eye> eyes_by_name(const document::Model& model, std::span<const geometry::ModelPoint> rest) {
+/// Which vertices are of what is called an eyeball; empty: none.
+std::vector<bool> vertices_called_eyes(const document::Model& model) {
   const mesh::TriangleMesh& mesh = *model.mesh;
-  std::vector<bool> called(rest.size(), false);
-  bool some = false;
+  std::vector<bool> called;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const mesh::Part& part = mesh.parts()[p];
     std::string material;
@@ -161,29 +163,33 @@ std::vector<Eye> eyes_by_name(const document::Model& model, std::span<const geom
       if (s < model.look->surfaces.size()) material = model.look->surfaces[s].name;
     }
     if (!names_eyeball(part.name) && !names_eyeball(material)) continue;
-    some = true;
+    called.resize(mesh.vertex_count(), false);
     std::fill_n(called.begin() + part.first_vertex, part.vertex_count, true);
   }
-  return some ? find_called_eyes(mesh, rest, called) : std::vector<Eye>();
+  return called;
 }
 
 /// How far each vertex of an eyeball is from where it looks, so that it is wet, and an iris where it has none.
 void add_gaze(const document::Model& model, std::span<const geometry::ModelPoint> rest, const FaceParts& face,
               Appearance& appearance) {
-  std::vector<Eye> eyes = face.eyes.empty() ? eyes_by_name(model, rest) : face.eyes;
-  if (face.eyes.empty() && eyes.size() != 2) return;
+  std::vector<Eye> eyes = face.eyes;
+  const std::vector<bool> called = eyes.empty() ? vertices_called_eyes(model) : std::vector<bool>();
+  if (!called.empty()) eyes = find_called_eyes(*model.mesh, rest, called);
+  if (!called.empty() && eyes.size() != 2) return;
   const geometry::ModelVector forward =
       eyes.size() == 2 ? forward_of(eyes[0], eyes[1], rest) : geometry::ModelVector{0};
   const auto components = model.mesh->components();
   for (Eye& eye : eyes) {
-    if (!face.eyes.empty() && face.kind_of_component[eye.component] != PartKind::eyeball) continue;
+    if (called.empty() && face.kind_of_component[eye.component] != PartKind::eyeball) continue;
     if (eye.gaze == geometry::ModelVector{0}) eye.gaze = forward;
     if (eye.gaze == geometry::ModelVector{0}) continue;
     const float nearest = is_blank(model, appearance, eye.component) ? 0.0F : k_no_iris;
     appearance.gaze.resize(rest.size(), 1.0F);
     for (std::size_t v = 0; v < rest.size(); ++v) {
-      if (components[v] != eye.component) continue;
       const geometry::ModelVector d = rest[v] - eye.center;
+      const bool is_of_it = called.empty() ? components[v] == eye.component
+                                           : called[v] && geometry::length(d) < k_around_eye * eye.radius;
+      if (!is_of_it) continue;
       const double along = glm::dot(d, eye.gaze);
       const double away = geometry::length(d - eye.gaze * along) / eye.radius;
       appearance.gaze[v] = along > 0 ? std::clamp(static_cast<float>(away), nearest, 1.0F) : 1.0F;

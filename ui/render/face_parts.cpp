@@ -195,18 +195,27 @@ std::vector<Eye> find_called_eyes(const mesh::TriangleMesh& mesh, std::span<cons
                                   const std::vector<bool>& called) {
   constexpr double k_called_rms = 0.12;
   std::vector<Component> parts(mesh.component_count());
-  std::vector<bool> all(mesh.component_count(), true);
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const std::uint32_t c = mesh.components()[v];
-    if (!called[v]) all[c] = false;
-    if (!all[c]) continue;
-    parts[c].vertices.push_back(v);
-    parts[c].box.add(positions[v]);
+    if (!called[v]) continue;
+    parts[mesh.components()[v]].vertices.push_back(v);
+    parts[mesh.components()[v]].box.add(positions[v]);
   }
   std::vector<Eye> eyes;
   for (std::uint32_t c = 0; c < parts.size(); ++c) {
-    const auto sphere = all[c] ? fit_sphere(parts[c], positions) : std::nullopt;
-    if (sphere && sphere->rms < k_called_rms) eyes.push_back({c, sphere->center, sphere->radius, ModelVector{0}});
+    if (parts[c].vertices.size() < 8) continue;
+    // A ball, or a shell of one that is as wide.
+    const auto sphere = fit_sphere(parts[c], positions);
+    const ModelVector half = (parts[c].box.maximum - parts[c].box.minimum) * 0.5;
+    Eye found{c, parts[c].box.center(), std::max(half.x, half.y), ModelVector{0}};
+    if (sphere && sphere->rms < k_called_rms) found = {c, sphere->center, sphere->radius, ModelVector{0}};
+    const auto same = std::find_if(eyes.begin(), eyes.end(), [&](const Eye& eye) {
+      return geometry::distance(eye.center, found.center) < std::max(eye.radius, found.radius);
+    });
+    if (same == eyes.end()) {
+      eyes.push_back(found);
+    } else if (found.radius > same->radius) {
+      *same = found;
+    }
   }
   return eyes;
 }

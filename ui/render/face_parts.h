@@ -42,9 +42,8 @@ struct FaceParts {
 [[nodiscard]] FaceParts recognise_face_parts(const mesh::TriangleMesh& mesh,
                                              std::span<const geometry::ModelPoint> positions);
 
-/// Eyeballs by what the file calls them ("EyeLeft", "Wolf3D_Eye"): components, also open ones, all of whose vertices
-/// are `called` so and lie on a sphere (rms deviation below 12 % of the radius), with their gaze zero. `called`: one a
-/// vertex.
+/// Eyeballs by what the file calls them ("EyeLeft", "Wolf3D_Eye"): of the vertices that are `called` so, one a vertex,
+/// the largest ball or shell of each place, with its gaze zero.
 [[nodiscard]] std::vector<Eye> find_called_eyes(const mesh::TriangleMesh& mesh,
                                                 std::span<const geometry::ModelPoint> positions,
                                                 const std::vector<bool>& called);

@@ -34,7 +34,7 @@ std::vector<MenuSection> placed() {
        {{A::view_front, A::view_three_quarter, A::view_side, A::flat_view, A::set_front},
         {A::frame_face, A::frame_all, A::zoom_in, {"zoom_out"}, {"orbit_left"}, {"orbit_right"}, {"orbit_up"},
          {"orbit_down"}},
-        {A::wireframe, A::clay, A::backdrop, A::backdrop_off},
+        {A::wireframe, {"textured"}, A::clay, {"matcap"}, {"soft_shadows"}, A::backdrop, A::backdrop_off},
         {A::panels, A::fullscreen, A::theme, A::larger, A::smaller, A::density}}},
       {"Character", "C12 8 4M4 21L5 16L9 14L15 14L19 16L20 21",
        {{A::tool_articulate}, {A::reset_pose, A::flip_pose, A::copy_to_right, A::copy_to_left, A::neutral},
@@ -49,7 +49,7 @@ std::vector<MenuSection> placed() {
       {"Tablet", "M3 6L21 6L21 18L3 18Z M8 14L16 9",
        {{{"tablet"}, {"tablet_keys"}, {"pen_menu"}, {"screen_keyboard"}}}},
       {"Help", "C12 12 9A12 10 3 180 400M13.5 13L12 14.5M12 17.5L12 18",
-       {{A::help, A::shortcuts}, {A::tour_pose, A::tour_rig, A::tour_animate}}},
+       {{A::help, A::shortcuts, {"model_notes"}}, {A::tour_pose, A::tour_rig, A::tour_animate}}},
   };
 }
 // clang-format on

@@ -39,6 +39,7 @@ void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, Canva
     row.add(Action::mirror_strokes, playback.while_drawing().mirrors);
     row.add(Action::wireframe, look.wireframe, true, false);
     if (canvas.surface().appearance().look) row.add(Action::clay, look.clay, true, false);
+    row.add(Action{"matcap"}, look.matcap, true, false);
     row.separate();
     row.add(Action::search, false, true, false);
     row.add(Action::panels, false, true, false);

@@ -7,7 +7,7 @@
 
 #include "core/base/math.h"
 #include "ui/render/cpu/mixing.h"
-#include "ui/render/scene.h"
+#include "ui/render/light/crease_radius.h"
 
 namespace penpose::render {
 namespace {
@@ -30,6 +30,7 @@ Occlusion::Occlusion(const Raster& raster, std::span<const float> inverse_depths
     : raster_(raster),
       inverse_(inverse_depths),
       far_(1.0F / (raster.view.depth_to_z.x + raster.view.depth_to_z.y)),
+      radius_(crease_radius(raster.view)),
       open_(inverse_depths.size(), 255) {
   for (int i = 0; i < k_samples; ++i) {
     const double t = (i + 0.5) / k_samples;
@@ -75,7 +76,7 @@ float Occlusion::open_at(int x, int y) const {
   const float size2 = glm::dot(normal, normal);
   if (!(size2 > 0)) return 1.0F;
   const glm::vec3 n = normal * (1.0F / std::sqrt(size2));
-  const float reach = k_occlusion_radius / (-p.z * raster_.view.image_plane.y) * 0.5F;
+  const float reach = radius_ / (-p.z * raster_.view.image_plane.y) * 0.5F;
   // Rows count from the foot where the noise was made for.
   const float noise = fraction(52.9829189F * fraction((static_cast<float>(x) + 0.5F) * 0.06711056F +
                                                       (height - static_cast<float>(y) - 0.5F) * 0.00583715F));
@@ -91,9 +92,8 @@ float Occlusion::open_at(int x, int y) const {
     if (!(inverse > 0)) continue;
     const glm::vec3 d = point(at_x, at_y, 1.0F / inverse) - p;
     const float dd = glm::dot(d, d);
-    const float close = std::max(1.0F - dd / (k_occlusion_radius * k_occlusion_radius), 0.0F);
-    sum += close * std::max(glm::dot(d, n) - 0.012F * k_occlusion_radius, 0.0F) /
-           (dd + 0.0004F * k_occlusion_radius * k_occlusion_radius) * k_occlusion_radius;
+    const float close = std::max(1.0F - dd / (radius_ * radius_), 0.0F);
+    sum += close * std::max(glm::dot(d, n) - 0.012F * radius_, 0.0F) / (dd + 0.0004F * radius_ * radius_) * radius_;
   }
   return std::clamp(1.08F - 0.75F * sum / static_cast<float>(k_samples), 0.0F, 1.0F);
 }
@@ -117,8 +117,7 @@ void Occlusion::darken_row(int y, Image& picture) const {
       for (int dx = -2; dx <= 2; ++dx) {
         const int column = std::clamp(x + dx, 0, width - 1);
         const int row = std::clamp(y + dy, 0, raster_.size.height - 1);
-        const float w =
-            std::max(1.0F - std::abs(depth_at(column, row) - z) / (0.25F * k_occlusion_radius), 0.0F) + 0.0001F;
+        const float w = std::max(1.0F - std::abs(depth_at(column, row) - z) / (0.25F * radius_), 0.0F) + 0.0001F;
         sum += w * static_cast<float>(open_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                                             static_cast<std::size_t>(column)]);
         weights += w;

@@ -29,6 +29,7 @@ class Occlusion {
   const Raster& raster_;
   std::span<const float> inverse_;
   float far_ = 1;
+  float radius_;
   static constexpr int k_samples = 20;
   std::array<glm::vec2, k_samples> places_{};  ///< on a spiral of radius one
   std::vector<std::uint8_t> open_;             ///< 255: all of it

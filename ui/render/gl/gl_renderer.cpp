@@ -15,6 +15,7 @@
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/gl/screen_fill.h"
 #include "ui/render/gl/shaders.h"
+#include "ui/render/light/crease_radius.h"
 #include "ui/render/smoothing.h"
 
 namespace penpose::render {
@@ -129,7 +130,7 @@ void GlRenderer::State::draw_occlusion(const View& view, geometry::Viewport view
     program.set("depths", 0);
     program.set("depth_to_z", view.depth_to_z.x, view.depth_to_z.y);
     program.set("size_px", static_cast<float>(viewport.width), static_cast<float>(viewport.height));
-    program.set("radius", k_occlusion_radius);
+    program.set("radius", crease_radius(view));
   };
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);

@@ -15,6 +15,6 @@ namespace penpose::render {
                                                            const std::atomic<bool>* stop = nullptr);
 
 /// How dark the shade on the ground is at most, 0..1.
-inline constexpr float k_ground_opacity = 0.55F;
+inline constexpr float k_ground_opacity = 0.65F;
 
 }  // namespace penpose::render
