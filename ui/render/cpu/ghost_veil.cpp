@@ -15,9 +15,9 @@ namespace penpose::render {
 namespace {
 
 /// A face lets so much of what is behind it through where it looks at the eye, and less where it turns away.
-constexpr float k_veil_alpha = 0.5F, k_veil_edge_alpha = 0.7F;
+constexpr float k_veil_alpha = 0.32F, k_veil_edge_alpha = 0.6F;
 /// How much of its colour is its tint.
-constexpr float k_tinted = 0.45F;
+constexpr float k_tinted = 0.6F;
 constexpr float k_veil_others = 0.4F;
 constexpr float k_no_depth = 0.0F;
 
