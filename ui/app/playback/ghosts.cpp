@@ -108,22 +108,29 @@ void GhostHand::follow(std::optional<double> time_s, std::optional<PxPoint> pen)
   const auto scale = static_cast<float>(parts_.canvas.scale());
   Made now{faces_.number(), parts_.canvas.surface().pose_number(), view, look.style, scale, lit_};
   if (now == made_) return;
+  // A veil takes as long as a picture or two: it waits until the view rests and the pen is lifted.
+  const bool waits = editing.pen_is_drawing() && faces_.settled() && look.style == made_.style;
   made_ = std::move(now);
   drawings_.clear();
-  veil_.reset();
+  if (!waits) veil_.reset();
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera || faces_.ghosts().empty()) return;
   const auto positions = parts_.canvas.surface().positions();
   drawings_ = render::ghost_drawings(faces_.ghosts(), positions, *camera, {scale, lit_});
   if (look.style != render::GhostStyle::faces) {
     draws_veil_.reset();
-    return;
+  } else if (!waits && faces_.settled()) {
+    draw_veil(*camera);
   }
+  if (waits) made_.pose = 0;
+}
+
+void GhostHand::draw_veil(const geometry::Camera& camera) {
   if (!draws_veil_) draws_veil_ = std::make_unique<render::GhostVeil>();
   const PosedSurface& surface = parts_.canvas.surface();
   veil_ = draws_veil_->draw(faces_.ghosts(),
-                            {*surface.model().mesh, surface.appearance(), surface.shape_number(), positions}, *camera,
-                            {scale, lit_});
+                            {*surface.model().mesh, surface.appearance(), surface.shape_number(), surface.positions()},
+                            camera, {made_.scale, lit_});
 }
 
 std::optional<render::GhostPlace> GhostHand::place_at(PxPoint at) const {
@@ -141,7 +148,8 @@ std::string GhostHand::hint() const {
   if (faces_.ghosts().empty()) return "No ghosts here: go to a moment between keys, or show more of them (Onion)";
   const auto at_s = lit_s();
   if (!at_s) return "Come near a line of a ghost, before (violet) or after (cyan), and draw it as it should be";
-  const std::string& feature = faces_.ghosts()[lit_->ghost].lines[lit_->line].feature;
+  const auto& lines = faces_.ghosts()[lit_->ghost].lines;
+  const std::string feature = lit_->line < lines.size() ? lines[lit_->line].feature : std::string();
   return "A line here poses frame " + frame_text(*at_s, parts_.playback.rate()) +
          (*at_s < parts_.playback.time_s() ? " (before)" : " (after)") +
          (feature.empty() ? std::string() : ", near its " + feature_words(feature));

@@ -54,6 +54,8 @@ class GhostHand {
   void follow(std::optional<double> time_s, std::optional<PxPoint> pen);
   [[nodiscard]] const render::GhostFaces& faces() const { return faces_; }
   [[nodiscard]] std::span<const render::CurveDrawing> drawings() const { return drawings_; }
+  /// Whether the next frame shows them otherwise, without any event.
+  [[nodiscard]] bool waits() const { return !faces_.settled(); }
   /// Of translucent faces; null: none.
   [[nodiscard]] const std::shared_ptr<const render::Image>& veil() const { return veil_; }
   /// The moment that takes a line which begins where the pen is; nothing: none does.
@@ -86,6 +88,7 @@ class GhostHand {
   [[nodiscard]] std::optional<render::GhostPlace> place_at(PxPoint at) const;
   [[nodiscard]] std::optional<rig::Pose> solved(const render::Ghost& ghost, const render::GhostLine& near,
                                                 std::span<const PxPoint> line);
+  void draw_veil(const geometry::Camera& camera);
   bool perform(const GhostEdit& edit);
 
   Parts parts_;

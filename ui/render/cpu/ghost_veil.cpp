@@ -1,9 +1,11 @@
 #include "ui/render/cpu/ghost_veil.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "ui/render/cpu/mixing.h"
@@ -13,9 +15,9 @@ namespace penpose::render {
 namespace {
 
 /// A face lets so much of what is behind it through where it looks at the eye, and less where it turns away.
-constexpr float k_veil_alpha = 0.5F, k_veil_edge_alpha = 0.7F;
+constexpr float k_veil_alpha = 0.32F, k_veil_edge_alpha = 0.6F;
 /// How much of its colour is its tint.
-constexpr float k_tinted = 0.5F;
+constexpr float k_tinted = 0.6F;
 constexpr float k_veil_others = 0.4F;
 constexpr float k_no_depth = 0.0F;
 
@@ -130,15 +132,33 @@ bool lay(const VeilLayer& layer, const Image& face, const Color& tint, Image& im
   return any;
 }
 
+/// From which column on each row has something, and up to, but without, which one.
+std::vector<std::pair<int, int>> veiled_columns(const Image& veil) {
+  std::vector<std::pair<int, int>> columns(static_cast<std::size_t>(veil.height), {veil.width, 0});
+  for (int y = 0; y < veil.height; ++y) {
+    auto& [left, right] = columns[static_cast<std::size_t>(y)];
+    for (int x = 0; x < veil.width; ++x) {
+      if (veil.at(x, y)[3] == 0) continue;
+      left = std::min(left, x);
+      right = x + 1;
+    }
+  }
+  return columns;
+}
+
 }  // namespace
 
 void lay_veil(const Image& veil, Image& picture) {
+  const std::vector<std::pair<int, int>> seen = veiled_columns(veil);
   for (int y = 0; y < picture.height; ++y) {
     // Between the middles of rows of the veil, a quarter of the way from the nearest one.
     const int near_y = std::min(y / 2, veil.height - 1);
     const int far_y = std::clamp(near_y + (y % 2 == 0 ? -1 : 1), 0, veil.height - 1);
     const std::array<const std::uint8_t*, 2> rows{veil.at(0, near_y), veil.at(0, far_y)};
-    for (int x = 0; x < picture.width; ++x) {
+    const auto [left, right] = std::pair{
+        std::min(seen[static_cast<std::size_t>(near_y)].first, seen[static_cast<std::size_t>(far_y)].first),
+        std::max(seen[static_cast<std::size_t>(near_y)].second, seen[static_cast<std::size_t>(far_y)].second)};
+    for (int x = std::max(0, 2 * left - 1); x < std::min(picture.width, 2 * right + 1); ++x) {
       const int near_x = std::min(x / 2, veil.width - 1);
       const int far_x = std::clamp(near_x + (x % 2 == 0 ? -1 : 1), 0, veil.width - 1);
       const std::array<const std::uint8_t*, 4> px{rows[0] + 4 * near_x, rows[0] + 4 * far_x, rows[1] + 4 * near_x,

@@ -25,6 +25,7 @@ void GhostFaces::forget() {
   source_ = {};
   curves_ = {};
   tree_.reset();
+  settled_ = true;
 }
 
 void GhostFaces::pose_all(const GhostSight& sight, const GhostLook& look) {
@@ -83,12 +84,24 @@ void GhostFaces::trace(Ghost& ghost, const GhostSight& sight, const geometry::Ca
   }
 }
 
+void GhostFaces::follow_view(const geometry::Camera& camera) {
+  for (Ghost& ghost : ghosts_) {
+    const std::vector<ModelPoint> positions(ghost.positions.begin(), ghost.positions.end());
+    for (GhostLine& line : ghost.lines) {
+      for (std::size_t i = 0; i < line.on.size(); ++i) {
+        if (const auto px = camera.project(portrait::place_of(line.on[i], positions))) line.places[i] = *px;
+      }
+    }
+  }
+}
+
 void GhostFaces::look_at(const GhostSight& sight, const GhostLook& look) {
   const document::Document& document = sight.document;
   Source now{document.model, document.timeline, document.pose, sight.time_s, sight.rate, look};
   if (now.model != source_.model) forget();
-  const bool same_lines = sight.view == view_ && curves_ == document.curves && feature_count_ == sight.features.size();
-  if (now == source_ && same_lines) return;
+  const bool same_view = sight.view == view_;
+  const bool same_lines = curves_ == document.curves && feature_count_ == sight.features.size();
+  if (now == source_ && same_lines && same_view && settled_) return;
   ++number_;
   if (!(now == source_)) pose_all(sight, look);
   source_ = std::move(now);
@@ -96,12 +109,12 @@ void GhostFaces::look_at(const GhostSight& sight, const GhostLook& look) {
   curves_ = document.curves;
   feature_count_ = sight.features.size();
   const auto camera = geometry::Camera::make(sight.view.camera, sight.view.viewport);
+  const bool anew = !same_lines || (same_view && !settled_);
+  settled_ = same_view || anew;
+  if (!camera) return;
+  if (!same_view && !anew) follow_view(*camera);
   for (Ghost& ghost : ghosts_) {
-    if (!camera) {
-      ghost.lines.clear();
-    } else if (!same_lines || ghost.lines.empty()) {
-      trace(ghost, sight, *camera);
-    }
+    if (anew || ghost.lines.empty()) trace(ghost, sight, *camera);
   }
 }
 

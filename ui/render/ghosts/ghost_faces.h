@@ -44,7 +44,8 @@ struct GhostSight {
 };
 
 /// The ghosts of a document. What has not changed since the look before is kept: surfaces until keys or the pose of
-/// their moment change, lines until the view does, too.
+/// their moment change, lines until the view does, too. While the view moves lines stay where they are on the surface;
+/// those of the view are found once it rests.
 class GhostFaces {
  public:
   void look_at(const GhostSight& sight, const GhostLook& look);
@@ -55,6 +56,8 @@ class GhostFaces {
   [[nodiscard]] std::span<const Ghost> ghosts() const { return ghosts_; }
   /// Grows with every look that found something else.
   [[nodiscard]] std::uint64_t number() const { return number_; }
+  /// Whether lines are those of the view; else they will be with another look at the same one.
+  [[nodiscard]] bool settled() const { return settled_; }
   /// Surfaces that were posed, and whose lines were found in a view, since the beginning.
   [[nodiscard]] std::uint64_t posed() const { return posed_; }
   [[nodiscard]] std::uint64_t traced() const { return traced_; }
@@ -71,6 +74,7 @@ class GhostFaces {
     friend bool operator==(const Source&, const Source&) = default;
   };
   void pose_all(const GhostSight& sight, const GhostLook& look);
+  void follow_view(const geometry::Camera& camera);
   void trace(Ghost& ghost, const GhostSight& sight, const geometry::Camera& camera);
 
   Source source_;
@@ -79,6 +83,7 @@ class GhostFaces {
   std::size_t feature_count_ = 0;
   std::vector<Ghost> ghosts_;
   std::optional<geometry::TriangleBvh> tree_;
+  bool settled_ = true;
   std::uint64_t number_ = 0;
   std::uint64_t posed_ = 0;
   std::uint64_t traced_ = 0;

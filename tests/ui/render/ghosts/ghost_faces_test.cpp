@@ -16,6 +16,11 @@
 namespace penpose::render {
 namespace {
 
+const document::Model& demo() {
+  static const document::Model model = character::make_demo_head().value();
+  return model;
+}
+
 /// The built-in head with its mouth shut, open and shut, a second apart, looked at from its front.
 class Ghosted {
  public:
@@ -41,7 +46,7 @@ class Ghosted {
   }
   [[nodiscard]] geometry::Camera camera() const { return geometry::Camera::make(view.camera, view.viewport).value(); }
 
-  document::Document document = document::make_document(character::make_demo_head().value());
+  document::Document document = document::make_document(demo());
   document::ApplyWorkspace work;
   document::View view = drawing::opening_view(document);
   GhostFaces faces;
@@ -77,7 +82,11 @@ TEST(GhostFaces, NothingIsFoundAnewWhileNothingChanges) {
   head.view.camera.eye.x += 0.1;
   head.look();
   EXPECT_EQ(head.faces.posed(), posed) << "another view needs no other surfaces";
-  EXPECT_EQ(head.faces.traced(), traced + 2) << "but other contours";
+  EXPECT_EQ(head.faces.traced(), traced) << "and while it moves, lines go along";
+  EXPECT_FALSE(head.faces.settled());
+  head.look();
+  EXPECT_EQ(head.faces.traced(), traced + 2) << "when it rests, there are other contours";
+  EXPECT_TRUE(head.faces.settled());
   head.perform(document::GoToTime{1.5});
   head.look();
   EXPECT_EQ(head.faces.posed(), posed + 1) << "the key before is another one, and the one after stays";
