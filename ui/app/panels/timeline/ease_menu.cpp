@@ -143,7 +143,10 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   const float pad = 0.22F * context.unit;
-  const ImVec2 picture{from.x + pad, from.y + 0.28F * context.unit};
+  // The picture alone, where there is room for no more.
+  const bool worded = width > 2 * context.unit;
+  const float left = worded ? from.x + pad : 0.5F * (from.x + to.x - 0.75F * context.unit);
+  const ImVec2 picture{left, from.y + 0.28F * context.unit};
   const ImVec2 end{picture.x + 0.75F * context.unit, to.y - 0.28F * context.unit};
   // Of several kinds each is drawn faintly over the others.
   if (now.size() > 1) {
@@ -152,8 +155,10 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
   } else {
     draw_ease(list, shown, picture, end, ink, 2);
   }
-  const std::string text = fitted_text(name, to.x - end.x - 2 * pad);
-  list.AddText({end.x + pad, from.y + 0.5F * (to.y - from.y - ImGui::GetFontSize())}, ink, text.c_str());
+  if (worded) {
+    const std::string text = fitted_text(name, to.x - end.x - 2 * pad);
+    list.AddText({end.x + pad, from.y + 0.5F * (to.y - from.y - ImGui::GetFontSize())}, ink, text.c_str());
+  }
   show_kinds_menu(context, with, now);
   ImGui::PopID();
 }

@@ -207,7 +207,7 @@ void draw_playhead(PanelContext& context, const TimelineOwners& with, const Stri
 
 ImU32 bookmark_color(std::uint32_t number) {
   constexpr std::array<ImU32, document::k_bookmark_colors> k_colors{
-      IM_COL32(86, 180, 233, 255), IM_COL32(240, 200, 60, 255),  IM_COL32(60, 190, 130, 255),
+      IM_COL32(60, 190, 130, 255), IM_COL32(240, 200, 60, 255),  IM_COL32(86, 180, 233, 255),
       IM_COL32(236, 120, 70, 255), IM_COL32(214, 140, 190, 255), IM_COL32(190, 196, 206, 255)};
   return k_colors[number % k_colors.size()];
 }

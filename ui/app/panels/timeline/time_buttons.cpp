@@ -45,6 +45,14 @@ void show_rate(PanelContext& context, const TimelineOwners& with, float width) {
   ImGui::EndPopup();
 }
 
+void show_speed(PanelContext& context, const TimelineOwners& with, float width) {
+  const double speed = with.playback.speed();
+  const char* label = speed == 1 ? "1x##speed" : speed == 0.5 ? "1/2x##speed" : "1/4x##speed";
+  const Action next{"play_speed"};
+  if (wide_button(context, label, width, speed != 1, context.actions.keys().tooltip_of(next).c_str()))
+    context.actions.run(next);
+}
+
 /// The clip that is shown, or how many animations of the file wait to be opened; empty: there is one timeline only.
 std::string clip_label(const document::Document& document) {
   if (!document.clips.empty()) return fitted_text(document::shown_clip_name(document), 5 * ImGui::GetFontSize());
@@ -75,16 +83,7 @@ void add_transport(PanelContext& context, const TimelineOwners& with, ButtonRow&
   row.add(Action::next_key, false, true, false);
   row.add(shown_by("##frame", 1.7F * context.unit, with, show_frame_field));
   row.add(shown_by("##rates", 1.9F * context.unit, with, show_rate));
-  const double speed = with.playback.speed();
-  const Action slower{"play_speed"};
-  ButtonRow::Button speeds{speed == 1     ? "1x##speed"
-                           : speed == 0.5 ? "1/2x##speed"
-                                          : "1/4x##speed",
-                           {},
-                           context.actions.keys().tooltip_of(slower)};
-  speeds.chosen = speed != 1;
-  speeds.does = [&context, slower] { context.actions.run(slower); };
-  row.add(std::move(speeds));
+  row.add(shown_by("##speeds", 1.5F * context.unit, with, show_speed));
   if (const std::string clip = clip_label(with.editing.document()); !clip.empty()) {
     ButtonRow::Button clips{clip + "##clips", icon_of(Action{"clips"}),
                             context.actions.keys().tooltip_of(Action{"clips"})};
@@ -105,7 +104,10 @@ void add_keys(const TimelineOwners& with, ButtonRow& row) {
 
 void add_ease(PanelContext& context, const TimelineOwners& with, ButtonRow& row) {
   row.begin_group();
-  row.add(shown_by("##kinds", 3.1F * context.unit, with, show_ease));
+  ButtonRow::Button ease = shown_by("##kinds", 3.1F * context.unit, with, show_ease);
+  ease.least = 1.4F * context.unit;
+  ease.most = ease.width;
+  row.add(std::move(ease));
   ButtonRow::Button between = shown_by("##between", 5.5F * context.unit, with, show_breakdown);
   between.least = 4.6F * context.unit;
   between.most = 9 * context.unit;
