@@ -63,8 +63,8 @@ void draw_knob(PanelContext& context, const Between& slider, double share) {
   const float rest = slider.x_of(std::clamp(share, 0.0, 1.0) < 0.5 ? 0 : 1);
   if (share < 0 || share > 1)
     list.AddRectFilled({std::min(rest, x), slider.from.y + 3}, {std::max(rest, x), slider.to.y - 3},
-                       IM_COL32(236, 120, 70, 90));
-  draw_key({x, middle}, 0.26F * context.unit, IM_COL32(255, 214, 92, 255), true);
+                       color_of(palette().record, 0.35F));
+  draw_key({x, middle}, 0.26F * context.unit, color_of(palette().key_here), true);
   const std::string said = share < 0 || share > 1 ? percent(share) + ", overshoots" : percent(share);
   const ImVec2 size = ImGui::CalcTextSize(said.c_str());
   ImDrawList& above = *ImGui::GetForegroundDrawList();

@@ -39,13 +39,14 @@ double way_done(document::KeyKind kind, double t) {
   return t * (0.5 + t * (1.5 - t));
 }
 
-void draw_ease(ImDrawList& list, document::KeyKind kind, ImVec2 from, ImVec2 to, ImU32 ink, float line) {
+void draw_ease(ImDrawList& list, document::KeyKind kind, ImVec2 from, ImVec2 to, float alpha, float line) {
+  const ImU32 ink = color_of(palette().ink, alpha);
   const bool beyond = kind == document::KeyKind::overshoot;
   const float top = beyond ? from.y + 0.22F * (to.y - from.y) : from.y;
   const auto at = [&](double t, double done) {
     return ImVec2{from.x + static_cast<float>(t) * (to.x - from.x), to.y - static_cast<float>(done) * (to.y - top)};
   };
-  const ImU32 faint = (ink & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
+  const ImU32 faint = color_of(palette().faint, 0.5F * alpha);
   if (beyond) list.AddLine({from.x, top}, {to.x, top}, faint);
   if (kind == document::KeyKind::free || beyond) {
     // Its handles.
@@ -87,17 +88,14 @@ bool show_kind(PanelContext& context, const KeyKindInfo& one, bool on, bool amon
   const ImVec2 to = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool lit = ImGui::IsItemHovered();
-  list.AddRectFilled(from, to,
-                     ImGui::GetColorU32(on    ? ImGuiCol_ButtonActive
-                                        : lit ? ImGuiCol_ButtonHovered
-                                              : ImGuiCol_Button),
-                     5);
-  if (among) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2);
-  const ImU32 ink = on ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_Text);
+  const Palette& colors = palette();
+  list.AddRectFilled(from, to, color_of(on ? colors.chosen : lit ? colors.hovered : colors.button), 5);
+  if (on || among) list.AddRect(from, to, color_of(colors.accent), 5, 0, 2);
+  const ImU32 ink = color_of(colors.ink);
   const float side = 0.35F * context.unit;
   const float text_y = to.y - ImGui::GetFontSize() - 3;
   draw_ease(list, one.kind, {from.x + side, from.y + 0.25F * context.unit}, {to.x - side, text_y - 0.2F * context.unit},
-            ink, 2);
+            1, 2);
   const float wide = ImGui::CalcTextSize(one.name).x;
   list.AddText({0.5F * (from.x + to.x - wide), text_y}, ink, one.name);
   return pressed;
@@ -150,10 +148,9 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
   const ImVec2 end{picture.x + 0.75F * context.unit, to.y - 0.28F * context.unit};
   // Of several kinds each is drawn faintly over the others.
   if (now.size() > 1) {
-    for (const document::KeyKind kind : now)
-      draw_ease(list, kind, picture, end, ImGui::GetColorU32(ImGuiCol_Text, 0.55F), 1.5F);
+    for (const document::KeyKind kind : now) draw_ease(list, kind, picture, end, 0.55F, 1.5F);
   } else {
-    draw_ease(list, shown, picture, end, ink, 2);
+    draw_ease(list, shown, picture, end, 1, 2);
   }
   if (worded) {
     const std::string text = fitted_text(name, to.x - end.x - 2 * pad);

@@ -1,13 +1,15 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/marks/bookmark_steps.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The ruler: frames by number, bookmarks as flags, and the part that is played with its two ends.
@@ -183,7 +185,7 @@ void draw_flags(PanelContext& context, const Strip& strip, const std::vector<Fla
     } else {
       list.AddRectFilled({x, strip.from.y}, {x + flag.width, foot + 1}, color, 3, ImDrawFlags_RoundCornersRight);
       list.AddText({x + 4, strip.from.y + 0.5F * (foot - strip.from.y - ImGui::GetFontSize())},
-                   IM_COL32(16, 18, 22, 255), flag.text.c_str());
+                   color_of(palette().panel), flag.text.c_str());
     }
     std::string label = "bookmark ";
     context.targets[label.append(flag.bookmark->name)] = {static_cast<double>(x), static_cast<double>(strip.from.y),
@@ -196,8 +198,7 @@ void draw_flags(PanelContext& context, const Strip& strip, const std::vector<Fla
 void draw_playhead(PanelContext& context, const TimelineOwners& with, const Strip& strip) {
   const float x = strip.x_of(with.playback.time_s());
   const float half = k_playhead_units * context.unit;
-  const ImU32 accent =
-      with.performer.performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
+  const ImU32 accent = color_of(with.performer.performing() ? palette().record : palette().accent);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
   list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
@@ -205,11 +206,10 @@ void draw_playhead(PanelContext& context, const TimelineOwners& with, const Stri
 
 }  // namespace
 
-ImU32 bookmark_color(std::uint32_t number) {
-  constexpr std::array<ImU32, document::k_bookmark_colors> k_colors{
-      IM_COL32(60, 190, 130, 255), IM_COL32(240, 200, 60, 255),  IM_COL32(86, 180, 233, 255),
-      IM_COL32(236, 120, 70, 255), IM_COL32(214, 140, 190, 255), IM_COL32(190, 196, 206, 255)};
-  return k_colors[number % k_colors.size()];
+ImU32 bookmark_color(std::uint32_t number, float alpha) {
+  const auto& colors = palette().curves;
+  static_assert(std::tuple_size_v<std::remove_cvref_t<decltype(colors)>> == document::k_bookmark_colors);
+  return color_of(colors[number % colors.size()], alpha);
 }
 
 void show_ruler(PanelContext& context, const TimelineOwners& with) {

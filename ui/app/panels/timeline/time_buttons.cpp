@@ -77,6 +77,7 @@ void add_transport(PanelContext& context, const TimelineOwners& with, ButtonRow&
                          with.playback.playing() ? icon::k_stop : icon_of(Action::play),
                          context.actions.keys().tooltip_of(Action::play), false};
   play.chosen = with.playback.playing();
+  play.weight = ButtonWeight::ordinary;
   play.does = [&context] { context.actions.run(Action::play); };
   row.add(std::move(play));
   row.add(Action::next_frame, false, true, false);
@@ -92,18 +93,27 @@ void add_transport(PanelContext& context, const TimelineOwners& with, ButtonRow&
   }
 }
 
+/// A pose that the timeline does not have, which is lost where one goes on without it.
+bool has_unkept_pose(const document::Document& document) {
+  if (!document.timeline->keys.empty()) return !(document.pose == document::pose_at(document, document.time_s));
+  const auto parameters = document.model->rig->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (document.pose[i] != parameters[i].rest) return true;
+  }
+  return false;
+}
+
 void add_keys(const TimelineOwners& with, ButtonRow& row) {
-  // A pose that the timeline does not have is lost where one goes on without it.
-  const document::Document& now = with.editing.document();
-  row.begin_group();
-  row.add(Action::key_pose, !now.timeline->keys.empty() && !(now.pose == document::pose_at(now, now.time_s)));
+  row.separate();
+  row.add(Action::key_pose, false, true, true,
+          has_unkept_pose(with.editing.document()) ? ButtonWeight::primary : ButtonWeight::ordinary);
   row.add(Action::delete_key, false, true, false);
   row.add(Action::auto_key, with.playback.while_drawing().auto_key, true, false);
   row.add(Action::perform, with.playback.while_drawing().performs, true, false);
 }
 
 void add_ease(PanelContext& context, const TimelineOwners& with, ButtonRow& row) {
-  row.begin_group();
+  row.separate();
   ButtonRow::Button ease = shown_by("##kinds", 3.1F * context.unit, with, show_ease);
   ease.least = 1.4F * context.unit;
   ease.most = ease.width;
@@ -112,6 +122,10 @@ void add_ease(PanelContext& context, const TimelineOwners& with, ButtonRow& row)
   between.least = 4.6F * context.unit;
   between.most = 9 * context.unit;
   row.add(std::move(between));
+}
+
+void show_onion(PanelContext& context, const TimelineOwners& with, float width) {
+  show_onion_button(context, with.look, width);
 }
 
 void show_marks_button(PanelContext& context, const TimelineOwners& with, float width) {
@@ -126,7 +140,7 @@ void add_rest(const TimelineOwners& with, ButtonRow& row) {
   const auto& keys = with.editing.document().timeline->keys;
   const auto here = std::find_if(keys.begin(), keys.end(),
                                  [&](const auto& key) { return std::abs(key.time_s - with.playback.time_s()) < 1e-9; });
-  row.begin_group();
+  row.separate();
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = here != keys.end();
   name.does = [&with, named = name.enabled ? here->name : std::string()] {
@@ -162,13 +176,14 @@ void show_time_buttons(PanelContext& context, const TimelineOwners& with) {
   add_transport(context, with, row);
   add_keys(with, row);
   add_ease(context, with, row);
-  row.begin_group();
+  row.separate();
   row.add(Action::dope_sheet, with.shown().part == TimelinePart::sheet, true, false);
   row.add(Action::curve_editor, with.shown().part == TimelinePart::curves, true, false);
   row.add(Action{"overlap"}, with.overlap.open(), true, false);
-  row.begin_group();
+  row.separate();
   row.add(Action::onion_skin, with.look.onion_skin, true, false);
-  row.begin_group();
+  row.add(shown_by("##onion", 2 * context.unit, with, show_onion));
+  row.separate();
   row.add(shown_by("##marks", 1.2F * context.unit, with, show_marks_button));
   add_rest(with, row);
   const float used = row.show(ImGui::GetContentRegionAvail().x);

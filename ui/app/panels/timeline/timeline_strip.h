@@ -129,7 +129,7 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width);
 void show_breakdown(PanelContext& context, const TimelineOwners& with, float width);
 
 /// The colours of bookmarks, by their numbers.
-[[nodiscard]] ImU32 bookmark_color(std::uint32_t number);
+[[nodiscard]] ImU32 bookmark_color(std::uint32_t number, float alpha = 1);
 
 /// How many ghosts are shown, and a menu of how they are (onion_menu.cpp).
 void show_onion_button(PanelContext& context, CanvasLook& look, float width);

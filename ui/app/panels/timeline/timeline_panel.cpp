@@ -16,6 +16,7 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_guide.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -61,13 +62,12 @@ void draw_landing(PanelContext& context, const TimelineOwners& with, const Strip
   if (with.shown().breakdown) {
     const float wide = 1.2F * half;
     list.AddQuad({x - wide, middle}, {x, middle - wide}, {x + wide, middle}, {x, middle + wide},
-                 IM_COL32(255, 214, 92, 255), 2);
+                 color_of(palette().key_here), 2);
   }
   const auto shine = static_cast<float>(with.keys.shine(with.playback.time_s()));
   if (shine <= 0) return;
-  const int strength = static_cast<int>(220 * shine);
-  list.AddCircleFilled({x, middle}, half * (1.5F + 1.5F * (1 - shine)), IM_COL32(255, 214, 92, strength / 2));
-  list.AddCircle({x, middle}, half * (1.5F + 1.5F * (1 - shine)), IM_COL32(255, 214, 92, strength), 0,
+  list.AddCircleFilled({x, middle}, half * (1.5F + 1.5F * (1 - shine)), color_of(palette().key_here, 0.4F * shine));
+  list.AddCircle({x, middle}, half * (1.5F + 1.5F * (1 - shine)), color_of(palette().key_here, 0.9F * shine), 0,
                  0.08F * context.unit);
 }
 
@@ -86,7 +86,7 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
     for (const document::Bookmark& one : *held_bookmarks) {
       const float x = strip.x_of(one.time_s);
       list.AddLine({x, strip.from.y}, {x, strip.to().y},
-                   (bookmark_color(one.color) & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110));
+                   bookmark_color(one.color, 0.5F));
     }
   }
   show_cursor(strip, with);
@@ -101,7 +101,7 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
     const bool here = std::abs(key.time_s - with.playback.time_s()) < 1e-9;
     // Those of some controls alone are smaller than whole poses.
     row.add(x, key.controls.whole() ? half : 0.7F * half,
-            dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255), here);
+            color_of(dragged || here ? palette().key_here : palette().key), here);
     // Its name, as far as there is room up to the next key.
     const float room = i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - 4 : 1e6F;
     if (key.name.empty() || room < half) continue;
