@@ -232,7 +232,7 @@ int App::next_frame_ms() {
   if (film_.writes()) return k_film_look_ms;
   if (first_pass_.listens()) return k_dial_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
-  if (keys_.shines()) return k_playing_frame_ms;
+  if (keys_.shines() && !options_.slow_screen) return k_playing_frame_ms;
   int next_ms = -1;
   for (const int ms : {notices_.next_frame_ms(), sound_.next_frame_ms(), system_dialogs_.next_frame_ms()}) {
     if (ms >= 0) next_ms = next_ms < 0 ? ms : std::min(next_ms, ms);

@@ -85,8 +85,7 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
   if (held_bookmarks) {
     for (const document::Bookmark& one : *held_bookmarks) {
       const float x = strip.x_of(one.time_s);
-      list.AddLine({x, strip.from.y}, {x, strip.to().y},
-                   bookmark_color(one.color, 0.5F));
+      list.AddLine({x, strip.from.y}, {x, strip.to().y}, bookmark_color(one.color, 0.5F));
     }
   }
   show_cursor(strip, with);

@@ -35,5 +35,24 @@ TEST(Ruler, TheEndsOfWhatIsPlayedAreDraggedAndTheFramesWithinAreScrubbed) {
   EXPECT_NEAR(desk.app->of<Playback>().time_s(), 1.5, 0.05) << "between them one scrubs";
 }
 
+TEST(Ruler, WithShiftADragSetsBothEndsAndThePlayheadStays) {
+  Desk desk("ruler-shift");
+  desk.begin();
+  constexpr int k_left_shift = 225;
+  const Area ruler = *desk.interface->find("ruler");
+  const double y = ruler.middle().y;
+  desk.interface->key(k_left_shift, {0, false, true}, true);
+  desk.stroke({{ruler.left + 0.5 * ruler.width(), y}, {ruler.left + 0.25 * ruler.width(), y}});
+  desk.interface->key(k_left_shift, {0, false, false}, false);
+  desk.frames();
+  ASSERT_TRUE(loop(desk).from_s && loop(desk).to_s);
+  EXPECT_NEAR(*loop(desk).from_s, 1, 0.1) << "in the order of time";
+  EXPECT_NEAR(*loop(desk).to_s, 2, 0.1);
+  EXPECT_EQ(desk.app->of<Playback>().time_s(), 0);
+  // Let go of, it is forgotten.
+  desk.stroke({{ruler.left + 0.5 * ruler.width(), y}, {ruler.left + 0.4 * ruler.width(), y}});
+  EXPECT_GT(desk.app->of<Playback>().time_s(), 1.4);
+}
+
 }  // namespace
 }  // namespace penpose::app
