@@ -13,6 +13,8 @@
 #include "core/document/model.h"
 #include "core/document/sound/mouths.h"
 #include "core/document/sound/sound_reference.h"
+#include "core/document/sound/spoken_words.h"
+#include "core/document/time/bookmark.h"
 #include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline.h"
 
@@ -98,6 +100,8 @@ struct Document {
   std::shared_ptr<const SoundReference> sound;  ///< beside the timeline; null: none
   Mouths mouths;                                ///< in the order in which they were first kept
   std::shared_ptr<const SpokenMouths> spoken;   ///< what KeyMouths keyed last; null: nothing
+  std::shared_ptr<const SpokenWords> words;     ///< said in the sound; null: they are not known
+  std::shared_ptr<const Bookmarks> bookmarks;   ///< of the clip that is shown; null: none
 };
 
 /// A new document of a model: its pose, no curves, no keys.

@@ -122,6 +122,15 @@ void add_spoken(StateHash& hash, const SpokenMouths& spoken) {
   }
 }
 
+void add_bookmarks(StateHash& hash, const Bookmarks& bookmarks) {
+  hash.add("bookmarks");
+  for (const Bookmark& one : bookmarks) {
+    hash.add(one.time_s);
+    hash.add(one.name);
+    hash.add(std::uint64_t{one.color});
+  }
+}
+
 /// Documents of before there was sound are hashed as ever.
 void add_sound(StateHash& hash, const Document& document) {
   if (document.sound) {
@@ -140,6 +149,12 @@ void add_sound(StateHash& hash, const Document& document) {
     }
   }
   if (document.spoken) add_spoken(hash, *document.spoken);
+  if (!document.words) return;
+  hash.add("words");
+  for (const SpokenWord& one : *document.words) {
+    hash.add(one.from_s);
+    hash.add(one.word);
+  }
 }
 
 void add_keys(StateHash& hash, const Timeline& timeline, const HashForm& form) {
@@ -164,6 +179,7 @@ void add_clip(StateHash& hash, const Document& document, std::size_t number, con
   hash.add(std::uint64_t{clip.timeline->keys.size()});
   add_keys(hash, *clip.timeline, form);
   if (clip.spoken) add_spoken(hash, *clip.spoken);
+  if (clip.bookmarks) add_bookmarks(hash, *clip.bookmarks);
 }
 
 base::Hash128 hash_keys(const Document& document, const base::Hash128& animations, const HashForm& form) {
@@ -179,6 +195,7 @@ base::Hash128 hash_keys(const Document& document, const base::Hash128& animation
   for (std::size_t i = 0; i < document.clips.size(); ++i) add_clip(hash, document, i, form);
   add_digest(hash, animations);
   add_sound(hash, document);
+  if (document.bookmarks) add_bookmarks(hash, *document.bookmarks);
   return hash.digest();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace penpose::sound {
 
@@ -20,6 +21,20 @@ void mix(const Sound& sound, double offset_s, std::int64_t first, std::span<floa
   const std::int64_t to = std::min(static_cast<std::int64_t>(out.size()), count - begin);
   if (from >= to) return;
   std::copy(sound.samples.begin() + (begin + from), sound.samples.begin() + (begin + to), out.begin() + from);
+}
+
+void mix_slowed(const Sound& sound, double offset_s, std::int64_t first, double speed, std::span<float> out) {
+  if (speed == 1) return mix(sound, offset_s, first, out);
+  const double from = static_cast<double>(first) * speed;
+  const double begin = std::floor(from);
+  std::vector<float> played(static_cast<std::size_t>(std::ceil(speed * static_cast<double>(out.size()))) + 2);
+  mix(sound, offset_s, static_cast<std::int64_t>(begin), played);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double at = from - begin + speed * static_cast<double>(i);
+    const auto before = std::min(static_cast<std::size_t>(at), played.size() - 2);
+    const auto part = static_cast<float>(at - static_cast<double>(before));
+    out[i] = played[before] + part * (played[before + 1] - played[before]);
+  }
 }
 
 void fade_ends(std::span<float> snippet, std::size_t fade) {

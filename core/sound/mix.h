@@ -11,6 +11,10 @@ namespace penpose::sound {
 /// the timeline's beginning at the sound's rate. Silence where there is no sound.
 void mix(const Sound& sound, double offset_s, std::int64_t first, std::span<float> out);
 
+/// The same slowed down: sample n of the output sounds when the timeline is at n * speed. `first` counts samples of the
+/// output. In between it is straight, so that the sound is lower as it is slower. Precondition: 0 < speed <= 1.
+void mix_slowed(const Sound& sound, double offset_s, std::int64_t first, double speed, std::span<float> out);
+
 /// The number of the sample that sounds at a moment of the timeline, s.
 [[nodiscard]] std::int64_t sample_of(double time_s, int rate_hz);
 

@@ -206,6 +206,7 @@ void App::begin_frame() {
   curves_.add_to(look, place_.at());
   tour_.follow();
   drawing_.curves = shown_curves(editing_, canvas_.surface(), look);
+  files_.follow();
   recording_.follow();
 }
 
@@ -231,6 +232,7 @@ int App::next_frame_ms() {
   if (film_.writes()) return k_film_look_ms;
   if (first_pass_.listens()) return k_dial_look_ms;
   if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
+  if (keys_.shines() && !options_.slow_screen) return k_playing_frame_ms;
   if (ghosts_.waits()) return k_dial_look_ms;
   int next_ms = -1;
   for (const int ms : {notices_.next_frame_ms(), sound_.next_frame_ms(), system_dialogs_.next_frame_ms()}) {

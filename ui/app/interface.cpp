@@ -198,6 +198,17 @@ void Interface::frame(double passed_s) {
   if (!input_.pointer().empty() || !told_.empty() || !typed_.empty() || shown_ != dialogs_.open()) disturb();
 }
 
+double Interface::timeline_height(double strips, double most, double buttons, double usual) {
+  TimelineShown& shown = panels_.own.of<TimelineShown>();
+  shown.rows_px = 0;
+  if (most < strips) return buttons;
+  if (shown.part == TimelinePart::poses) return strips;
+  const Settings& settings = preferences_.settings();
+  const double chosen = shown.part == TimelinePart::sheet ? settings.sheet_height : settings.curves_height;
+  shown.rows_px = std::min(most - strips, chosen > 0 ? chosen * canvas_.scale() : usual);
+  return strips + shown.rows_px;
+}
+
 void Interface::show_all(PanelContext& context) {
   const auto unit = static_cast<double>(context.unit);
   const auto gap = static_cast<double>(context.gap);
@@ -211,13 +222,7 @@ void Interface::show_all(PanelContext& context) {
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
-  // There is room for the bar before it is there, so that the model stays where it is.
-  if (app_.of<ToolInHand>().now().shows_ghosts) bottom += 0.6 * unit + gap;
-  if (most < bottom) {
-    bottom = unit + 2 * gap;
-  } else if (panels_.own.of<TimelineShown>().part != TimelinePart::poses) {
-    bottom = std::min(most, bottom + std::min(6 * unit, 0.35 * height));
-  }
+  bottom = timeline_height(bottom, most, unit + 2 * gap, std::min(6 * unit, 0.35 * height));
   double left = static_cast<double>(toolbar_layout(context, static_cast<float>(height - bottom - top)).width);
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
   panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
@@ -289,6 +294,8 @@ void Interface::take_pointer() {
     io.MousePos = {-FLT_MAX, -FLT_MAX};
   }
   io.MouseWheel = static_cast<float>(input_.take_wheel());
+  io.MouseDown[1] = input_.take_menu_asked();
+  if (io.MouseDown[1]) disturb();
 }
 
 bool Interface::type_on_screen(const PanelPointer& pointer) {

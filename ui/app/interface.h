@@ -86,6 +86,9 @@ class Interface {
   bool asks_for_key(int scancode, const KeyStroke& stroke, bool down);
   void rest_pointer(double passed_s);
   void show_all(PanelContext& context);
+  /// How high the timeline is, px: its strips and, where they are shown, the sheet or the curves as they were dragged
+  /// or `usual`, `most` in all; where that is too little for the strips, its buttons alone.
+  double timeline_height(double strips, double most, double buttons, double usual);
   void take_pointer();
   void take_typed();
   /// Presses on the keyboard of the screen go to the text field and to nothing else.

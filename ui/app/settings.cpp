@@ -83,6 +83,13 @@ Why take_scale(Settings& settings, std::string_view value) {
   return {};
 }
 
+Why take_height(double& height, std::string_view value) {
+  const auto number = base::parse_double(value);
+  if (!number || !(*number == 0 || (*number >= k_least_rows_px && *number <= k_most_rows_px))) return k_number;
+  height = *number;
+  return {};
+}
+
 Why take_rate(Settings& settings, std::string_view value) {
   const auto number = base::parse_int(value);
   if (!number || std::find(k_frame_rates.begin(), k_frame_rates.end(), *number) == k_frame_rates.end()) return k_number;
@@ -138,6 +145,8 @@ constexpr std::array k_lines{
     Line{"density", [](Settings& to, View value) { return take_one(to.density, value, 3); }},
     Line{"stabiliser", [](Settings& to, View value) { return take_one(to.stabiliser, value, 3); }},
     Line{"rate", take_rate},
+    Line{"sheet_height", [](Settings& to, View value) { return take_height(to.sheet_height, value); }},
+    Line{"curves_height", [](Settings& to, View value) { return take_height(to.curves_height, value); }},
     Line{"file_sort", [](Settings& to, View value) { return take_one(to.file_sort, value, 3); }},
     Line{"hidden_files", [](Settings& to, View value) { return take_flag(to.hidden_files, value); }},
     Line{"system_dialogs", [](Settings& to, View value) { return take_flag(to.system_dialogs, value); }},
@@ -194,6 +203,8 @@ std::string to_text(const Settings& settings) {
   text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";
   text += "stabiliser=" + std::to_string(static_cast<int>(settings.stabiliser)) + "\n";
   text += "rate=" + std::to_string(settings.rate) + "\n";
+  text += "sheet_height=" + base::format_double(settings.sheet_height) + "\n";
+  text += "curves_height=" + base::format_double(settings.curves_height) + "\n";
   text += "file_sort=" + std::to_string(static_cast<int>(settings.file_sort)) + "\n";
   text += "hidden_files=" + flag(settings.hidden_files);
   text += "system_dialogs=" + flag(settings.system_dialogs);

@@ -37,6 +37,8 @@ struct Settings {
   /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
   /// missing does what `default_binding` says.
   std::map<std::string, std::map<std::string, Binding>> pads;
+  // How high the dope sheet and the curves are, px at scale 1; 0: as usual.
+  double sheet_height = 0, curves_height = 0;
   FileSort file_sort = FileSort::name;  ///< in dialogs of files
   bool hidden_files = false;            ///< there
   bool system_dialogs = true;           ///< of files, where there are some; else ours
@@ -46,6 +48,8 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
+/// The range of Settings::sheet_height and curves_height, px.
+inline constexpr double k_least_rows_px = 60, k_most_rows_px = 4000;
 inline constexpr std::size_t k_most_recent = 10;
 /// A file that was written by hand is read up to here.
 inline constexpr std::size_t k_most_pads = 100;

@@ -16,6 +16,7 @@
 #include "core/document/commands/list/posing_commands.h"
 #include "core/document/commands/list/sound_commands.h"
 #include "core/document/commands/list/target_commands.h"
+#include "core/document/commands/list/time/bookmark_commands.h"
 #include "core/document/commands/list/time/clip_commands.h"
 #include "core/document/commands/list/time_commands.h"
 
@@ -37,9 +38,9 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 /// The types of all commands. No value of this type is made: its members would be compiled wherever a command is used.
-using CommandTypes =
-    JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands, CorrectionCommands,
-                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands, FeatureCommands>::Type;
+using CommandTypes = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
+                                 CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands,
+                                 ClipCommands, FeatureCommands, BookmarkCommands>::Type;
 
 template <typename One, typename Types = CommandTypes>
 inline constexpr std::size_t k_index_of = static_cast<std::size_t>(-1);

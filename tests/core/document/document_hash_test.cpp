@@ -146,6 +146,8 @@ std::vector<Change> changes() {
          d.mouths.push_back(std::make_shared<const Mouth>(Mouth{"open", {}}));
        }},
       {"spoken", "keys", [](D& d) { d.spoken = std::make_shared<const SpokenMouths>(1); }},
+      {"words", "keys", [](D& d) { d.words = std::make_shared<const SpokenWords>(1); }},
+      {"bookmarks", "keys", [](D& d) { d.bookmarks = std::make_shared<const Bookmarks>(1); }},
       {"view's name", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.name = "side"; }); }},
       {"view", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.view.camera.eye.y = 1; }); }},
       {"no view", "curves", [](D& d) { d.views.clear(); }},

@@ -41,6 +41,24 @@ TEST(Mix, BlocksFollowEachOtherWithoutAGap) {
   EXPECT_EQ(blocks, whole);
 }
 
+TEST(Mix, SlowedDownEachSampleLastsLongerAndBlocksFollowWithoutAGap) {
+  const auto slowed = [](std::int64_t first, double speed, std::size_t count) {
+    std::vector<float> out(count, 9.0F);
+    mix_slowed(k_steps, 0, first, speed, out);
+    return out;
+  };
+  EXPECT_EQ(slowed(0, 1, 4), k_steps.samples);
+  const std::vector<float> half = slowed(0, 0.5, 7);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(half[2 * i], k_steps.samples[i]) << "twice as late";
+  EXPECT_NEAR(half[1], 0.15F, 1e-6);
+  const std::vector<float> whole = slowed(-5, 0.25, 24);
+  std::vector<float> blocks;
+  for (std::int64_t first = -5; first < 19; first += 3) {
+    for (const float sample : slowed(first, 0.25, 3)) blocks.push_back(sample);
+  }
+  EXPECT_EQ(blocks, whole);
+}
+
 TEST(Mix, MomentsBecomeTheNearestSample) {
   EXPECT_EQ(sample_of(1.0 / 24, 48000), 2000);
   EXPECT_EQ(sample_of(-1, 48000), -48000);

@@ -15,6 +15,8 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.light = true;
   settings.steps_seen = true;
   settings.pose_first = true;
+  settings.sheet_height = 123.5;
+  settings.curves_height = 400;
   settings.tablet.left_handed = true;
   settings.radial[0] = Action::view_side;
   settings.radial[7] = Action::save_as;

@@ -119,7 +119,7 @@ void show_changes(PanelContext& context, const document::Document& document, con
     does = document::DeleteClip{};
   const LoopRange& loop = playback.loop();
   if (button("Trim to loop##clip", 2 * third + gap, loop.any() && !document.timeline->keys.empty(),
-             "Cut the shown clip to the part that Loop from and Loop to play"))
+             "Cut the shown clip to the part between the in and the out point"))
     does = document::TrimClip{loop.begin_s(), loop.end_s(playback.last_s())};
   ImGui::SameLine();
 }

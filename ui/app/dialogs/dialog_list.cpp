@@ -32,6 +32,7 @@ void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Pr
                              const SystemDialogs&, Dialogs&, PanelState&, PoseShelf&);
 void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
 void show_sound_dialog(PanelContext&, EditingSession&, SoundTrack&, Files&, Preferences&, Dialogs&);
+void show_bookmark_dialog(PanelContext&, EditingSession&, const Playback&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
                             Dialogs&);
@@ -79,6 +80,7 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog{"preferences"}, show<show_preferences_dialog>},
     DialogRow{Dialog{"keyboard"}, show<show_keyboard_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
+    DialogRow{Dialog{"bookmark"}, show<show_bookmark_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
     DialogRow{Dialog{"model notes"}, show<show_model_notes_dialog>},
     DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},

@@ -166,9 +166,8 @@ void show_first_pass_dialog(PanelContext& context, EditingSession& editing, Soun
     entry.told.clear();
     entry.began = entry.wants_sound = false;
     // What was heard is corrected and spoken again.
-    for (const speech::HeardWord& one : pass.words()) {
-      if (!entry.wrapped.empty()) break;
-      entry.text += (entry.text.empty() ? "" : " ") + one.word;
+    if (const auto words = editing.document().words; words && entry.wrapped.empty()) {
+      for (const document::SpokenWord& one : *words) entry.text += (entry.text.empty() ? "" : " ") + one.word;
     }
     const auto can = speech::can_hear();
     entry.cannot = can ? std::string() : can.error().line();

@@ -80,8 +80,13 @@ void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> fil
 
 void Files::set_project(const std::string& path) {
   project_ = path;
+  noted_ = parts_.editing.revision();
   const bool saved = !parts_.editing.unsaved() && !path.empty();
   parts_.recording.note_project(path, saved ? parts_.editing.state().whole.hex() : std::string());
+}
+
+void Files::follow() {
+  if (!project_.empty() && !parts_.editing.unsaved() && noted_ != parts_.editing.revision()) set_project(project_);
 }
 
 base::Status Files::open(const std::string& path) {

@@ -53,6 +53,9 @@ class Files {
   /// Writes a copy for other programs; the work stays where it is saved.
   base::Status export_to(const std::string& path);
 
+  /// Notes where the work is saved after moves in time, so that a crash leaves nothing to bring back then.
+  void follow();
+
   /// Says what is lost where a file of that name is written; empty: nothing is, or only what was saved before.
   [[nodiscard]] std::string lost_by_writing(const std::string& path) const;
 
@@ -76,6 +79,7 @@ class Files {
   Parts parts_;
   std::string project_;
   std::string path_;
+  std::uint64_t noted_ = 0;  ///< the revision whose state is noted beside the session
 };
 
 }  // namespace penpose::app

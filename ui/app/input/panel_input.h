@@ -26,6 +26,9 @@ class PanelInput {
     }
     pointer_.push_back({at, down});
   }
+  /// Another button than the left was pressed over the panels: what is below it shows its menu.
+  void ask_menu() { menu_asked_ = true; }
+  [[nodiscard]] bool take_menu_asked() { return std::exchange(menu_asked_, false); }
   void add_wheel(double steps) { wheel_ += steps; }
 
   [[nodiscard]] std::deque<PanelPointer>& pointer() { return pointer_; }
@@ -34,6 +37,7 @@ class PanelInput {
  private:
   std::deque<PanelPointer> pointer_;
   double wheel_ = 0;
+  bool menu_asked_ = false;
 };
 
 }  // namespace penpose::app

@@ -58,6 +58,7 @@ void Pointer::button(MouseButton button, bool down, PxPoint at, bool shift, bool
 }
 
 void Pointer::drag_button(MouseButton button, bool down, PxPoint at, ViewHold how) {
+  if (down && button == MouseButton::right && !parts_.hits.on_canvas(at)) parts_.panel_input.ask_menu();
   if (down && !draws_ && !parts_.pens.on_panel() && parts_.hits.on_canvas(at)) {
     drag_ = how;
     if (button == MouseButton::right) {

@@ -34,7 +34,6 @@ base::Status FirstPass::listen(const std::string& text) {
   if (future_.valid()) future_.wait();
   listening_ = std::make_shared<speech::Listening>();
   heard_sound_ = sound;
-  words_.clear();
   future_ = std::async(std::launch::async, [sound, text, listening = listening_]() -> base::Result<Heard> {
     const auto phones = speech::hear_phones(*sound, text, {}, listening.get());
     if (!phones) return phones.error();
@@ -62,7 +61,7 @@ void FirstPass::follow() {
   } else if (const auto keyed = key(heard->cues); !keyed) {
     refused_ = keyed.error().line();
   } else {
-    words_ = std::move(heard->words);
+    keep_words(heard->words);
   }
   if (!refused_.empty()) notices_.tell(refused_, true);
 }
@@ -87,9 +86,15 @@ base::Status FirstPass::key(const speech::Cues& cues) {
   return base::Done{};
 }
 
-std::span<const speech::HeardWord> FirstPass::words() const {
-  if (track_.shared_sound() != heard_sound_) return {};
-  return words_;
+void FirstPass::keep_words(const std::vector<speech::HeardWord>& heard) {
+  document::SetWords command;
+  for (const speech::HeardWord& one : heard) {
+    const bool fits = !one.word.empty() && one.word.size() <= document::k_longest_word && one.from_s >= 0;
+    if (!fits || (!command.times_s.empty() && one.from_s < command.times_s.back())) continue;
+    command.times_s.push_back(one.from_s);
+    command.words.push_back(one.word);
+  }
+  if (editing_.document().sound) editing_.perform_with(command);
 }
 
 }  // namespace penpose::app

@@ -2,7 +2,6 @@
 
 #include <future>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -40,8 +39,6 @@ class FirstPass {
   void follow();
   /// Why the last pass came to nothing; empty: it did not.
   [[nodiscard]] const std::string& refused() const { return refused_; }
-  /// The words of the sound that was listened to, seconds of it; empty: they are not known.
-  [[nodiscard]] std::span<const speech::HeardWord> words() const;
 
  private:
   struct Heard {
@@ -49,6 +46,8 @@ class FirstPass {
     std::vector<speech::HeardWord> words;
   };
   base::Status key(const speech::Cues& cues);
+  /// Takes the words down in the document, as a part of what was keyed before.
+  void keep_words(const std::vector<speech::HeardWord>& heard);
 
   EditingSession& editing_;
   Notices& notices_;
@@ -57,7 +56,6 @@ class FirstPass {
   std::shared_ptr<speech::Listening> listening_;
   std::future<base::Result<Heard>> future_;
   std::shared_ptr<const sound::Sound> heard_sound_;  ///< that is listened to, or was
-  std::vector<speech::HeardWord> words_;
   std::string refused_;
 };
 

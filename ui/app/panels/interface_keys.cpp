@@ -95,8 +95,11 @@ void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
     typed_.push_back(typed);
   } else if (!down || owned) {
     typed_.push_back(typed);
-  } else if (!hits_.all || stroke.key == k_key_escape) {
-    actions_.press(stroke);
+  } else {
+    // Held, they say what a drag on a panel means.
+    ImGui::GetIO().KeyCtrl = stroke.ctrl;
+    ImGui::GetIO().KeyShift = stroke.shift;
+    if (!hits_.all || stroke.key == k_key_escape) actions_.press(stroke);
   }
 }
 

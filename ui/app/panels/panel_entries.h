@@ -56,11 +56,12 @@ struct KeyDrag {
 /// The part of time that the timeline shows, seconds.
 struct TimelineShown {
   TimelinePart part = TimelinePart::poses;
-  bool all_rows = false;         ///< also controls that rest in every key
-  std::set<std::string> folded;  ///< groups
-  std::set<std::size_t> chosen;  ///< controls whose curves are shown
-  double breakdown = 0.5;        ///< where its slider stands
-  float scrolled = 0;            ///< px of rows above the first that is seen
+  bool all_rows = false;                 ///< also controls that rest in every key
+  std::set<std::string> folded;          ///< groups
+  std::set<std::size_t> chosen;          ///< controls whose curves are shown
+  std::optional<double> breakdown = {};  ///< where its slider is held; nothing: it is not
+  double rows_px = 0;                    ///< how high the sheet or the curves are; 0: they have no room
+  float scrolled = 0;                    ///< px of rows above the first that is seen
   KeyDrag drag;
   double from_s = 0;
   double span_s = 0;                                  ///< 0: all

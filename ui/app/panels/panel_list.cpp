@@ -13,7 +13,8 @@ void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Contr
                      Dialogs&, PanelState&, PoseShelf&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
-                   Notices&, Dialogs&, PanelState&, SoundTrack&, FirstPass&, OverlapOffer&, GhostHand&, ToolInHand&);
+                   Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&);
+void show_timeline_grip(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&);
 void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
@@ -58,6 +59,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::right, show<show_side_panel>},
     PanelRow{PanelPlace::status, show<show_status>},
     PanelRow{PanelPlace::timeline, show<show_timeline>},
+    PanelRow{PanelPlace::timeline, show<show_timeline_grip>},
     PanelRow{PanelPlace::player, show<show_player>},
     PanelRow{PanelPlace::tour, show<show_tour>},
     PanelRow{PanelPlace::canvas, show<show_backdrop>},

@@ -12,13 +12,27 @@ namespace {
 
 constexpr double k_same_key_s = 1e-4;
 constexpr double k_at_cursor_s = 1e-9;
+/// So long a key shines that has just been set.
+constexpr double k_shine_us = 900'000;
 
 }  // namespace
 
 Keys::Keys(EditingSession& editing, Notices& notices, Playback& playback)
     : editing_(editing), notices_(notices), playback_(playback) {}
 
-void Keys::set() { editing_.perform(document::SetKey{playback_.time_s(), name_at(playback_.time_s())}); }
+void Keys::set() {
+  if (editing_.perform(document::SetKey{playback_.time_s(), name_at(playback_.time_s())})) land(playback_.time_s());
+}
+
+void Keys::land(double time_s) {
+  landed_s_ = time_s;
+  landed_us_ = playback_.now_us();
+}
+
+double Keys::shine(double time_s) const {
+  if (!landed_s_ || std::abs(*landed_s_ - time_s) >= k_at_cursor_s) return 0;
+  return std::clamp(1 - static_cast<double>(playback_.now_us() - landed_us_) / k_shine_us, 0.0, 1.0);
+}
 
 void Keys::remove() {
   editing_.perform(document::DeleteKeys{meant()});
@@ -109,26 +123,28 @@ const document::PoseKey* Keys::going_on() const {
   return before;
 }
 
-std::optional<document::KeyKind> Keys::kind() const {
-  std::optional<document::KeyKind> kind;
+std::vector<document::KeyKind> Keys::kinds() const {
+  std::vector<document::KeyKind> kinds;
   const document::Document& document = editing_.document();
-  const auto differs = [&](document::KeyKind one) {
-    if (one == document::KeyKind::none || kind.value_or(one) == one) {
-      if (one != document::KeyKind::none) kind = one;
-      return false;
-    }
-    return true;
+  const auto add = [&](document::KeyKind one) {
+    if (one != document::KeyKind::none && std::find(kinds.begin(), kinds.end(), one) == kinds.end())
+      kinds.push_back(one);
   };
   for (const auto& [time_s, parameter] : selected_.keys()) {
-    const auto place = document::key_at(*document.timeline, time_s);
-    if (place && differs(document.timeline->keys[*place].controls[parameter].kind)) return std::nullopt;
+    if (const auto place = document::key_at(*document.timeline, time_s))
+      add(document.timeline->keys[*place].controls[parameter].kind);
   }
-  if (!selected_.empty()) return kind;
+  if (!selected_.empty()) return kinds;
   const auto* here = going_on();
-  for (std::size_t i = 0; here != nullptr && i < document.pose.size(); ++i) {
-    if (differs(here->controls[i].kind)) return std::nullopt;
-  }
-  return kind;
+  for (std::size_t i = 0; here != nullptr && i < document.pose.size(); ++i) add(here->controls[i].kind);
+  return kinds;
+}
+
+std::string Keys::said() const {
+  if (selected_.size() == 1) return "the selected key";
+  if (!selected_.empty()) return "the " + std::to_string(selected_.size()) + " selected keys";
+  const auto* here = going_on();
+  return here == nullptr ? std::string() : "the key at frame " + frame_text(here->time_s, playback_.rate());
 }
 
 document::Tween Keys::breakdown(double share) {
@@ -145,7 +161,25 @@ document::Tween Keys::breakdown(double share) {
 void Keys::tween(double share) {
   const document::Tween command = breakdown(share);
   editing_.shown().preview(std::nullopt);
-  if (editing_.perform(command)) playback_.place_cursor(command.time_s);
+  if (!editing_.perform(command)) return;
+  playback_.place_cursor(command.time_s);
+  land(command.time_s);
+  notices_.tell("keyed at frame " + frame_text(command.time_s, playback_.rate()) + ": " +
+                std::to_string(static_cast<int>(std::lround(100 * share))) + " % of the way to the key after");
+}
+
+std::string Keys::tween_lacks() {
+  const auto& keys = editing_.document().timeline->keys;
+  const double now_s = playback_.time_s();
+  const auto is_before = [&](const document::PoseKey& key) { return key.time_s < now_s - k_same_key_s; };
+  const auto is_after = [&](const document::PoseKey& key) { return key.time_s > now_s + k_same_key_s; };
+  const bool before = std::any_of(keys.begin(), keys.end(), is_before);
+  const bool after = std::any_of(keys.begin(), keys.end(), is_after);
+  if (!before && !after) return "Between needs two keys: key a pose, go to a later frame and key another one";
+  if (!before) return "there is no key before this frame: go to a frame between two keys";
+  if (!after) return "there is no key after this frame: go to a frame between two keys, or key a pose later";
+  const auto made = editing_.after(breakdown(0.5));
+  return made ? std::string() : made.error().line();
 }
 
 void Keys::preview_tween(double share) {

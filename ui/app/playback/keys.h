@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
@@ -43,12 +44,21 @@ class Keys {
   void pull_handle(const KeySelection::Key& key, bool incoming, double slope, bool alone);
   /// How controls go on from them; between two keys, from the one before.
   void set_kind(document::KeyKind kind);
-  /// The kind that those have in common; nothing: there are none, or they differ.
-  [[nodiscard]] std::optional<document::KeyKind> kind() const;
+  /// The kinds that those have, each once; empty: there are no keys.
+  [[nodiscard]] std::vector<document::KeyKind> kinds() const;
+  /// What those are, as people say it: "the key at frame 12"; empty: there is none.
+  [[nodiscard]] std::string said() const;
   /// Keys a breakdown at the cursor (document::Tween), of the controls that are selected, else of all.
   void tween(double share);
   /// Shows it, and changes nothing.
   void preview_tween(double share);
+  /// Why there can be no breakdown at the cursor, and what to do; empty: there can.
+  [[nodiscard]] std::string tween_lacks();
+
+  /// How much of its shine a moment has on which something was keyed just now, 0 to 1.
+  [[nodiscard]] double shine(double time_s) const;
+  /// A moment shines.
+  [[nodiscard]] bool shines() const { return landed_s_ && shine(*landed_s_) > 0; }
 
  private:
   [[nodiscard]] const document::PoseKey* find(double time_s) const;
@@ -59,6 +69,8 @@ class Keys {
   [[nodiscard]] document::Tween breakdown(double share);
   /// The selection goes along with its keys.
   void follow(double by_s, double about_s, double scale);
+  /// Lets a moment shine.
+  void land(double time_s);
   /// The pose is that of the timeline again, after keys changed.
   void show_again();
 
@@ -67,6 +79,8 @@ class Keys {
   Playback& playback_;
   std::optional<PoseClipboard> clipboard_;
   KeySelection selected_;
+  std::optional<double> landed_s_;  ///< what was keyed last
+  std::int64_t landed_us_ = 0;      ///< and when
 };
 
 }  // namespace penpose::app

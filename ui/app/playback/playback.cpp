@@ -93,6 +93,14 @@ void Playback::set_rate(int rate) {
   preferences_.changed();
 }
 
+void Playback::set_speed(double speed) {
+  if (playing_) {
+    play_from_s_ = time_s_;
+    play_from_us_ = clock_();
+  }
+  speed_ = speed;
+}
+
 void Playback::step_key(int direction) {
   const auto& keys = editing_.document().timeline->keys;
   const document::PoseKey* to = nullptr;
@@ -150,7 +158,7 @@ void Playback::advance(std::int64_t now_us) {
   const double begin = loop_.begin_s();
   const double end = loop_.end_s(last_s());
   // What is heard may be behind when it begins.
-  time_s_ = std::max(begin, play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6);
+  time_s_ = std::max(begin, played_s(now_us));
   if (end <= begin) {
     time_s_ = begin;
   } else if (time_s_ > end) {
@@ -170,7 +178,7 @@ void Playback::hear(double time_s, std::int64_t now_us) {
   if (!playing_) return;
   // Devices take samples in blocks: what is heard is followed smoothly.
   constexpr double k_share = 0.1;
-  const double cursor_s = play_from_s_ + static_cast<double>(now_us - play_from_us_) * 1e-6;
+  const double cursor_s = played_s(now_us);
   const double ahead_s = time_s - cursor_s;
   const bool far = std::abs(ahead_s) > 0.5 / rate_;
   play_from_s_ += far ? ahead_s : k_share * ahead_s;

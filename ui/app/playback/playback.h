@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -17,6 +18,9 @@ struct WhileDrawing {
   bool performs = false;  ///< time runs while the pen holds a target, and what the face does is keyed
 };
 
+/// How fast the timeline can be played, as shares of its own pace.
+inline constexpr std::array k_speeds{1.0, 0.5, 0.25};
+
 /// The timeline's cursor: scrubbed, stepped and played. Moments are seconds.
 class Playback {
  public:
@@ -29,6 +33,11 @@ class Playback {
   [[nodiscard]] int rate() const { return rate_; }
   /// Frames a second, which other documents take over.
   void set_rate(int rate);
+  /// How fast it is played, one of k_speeds.
+  [[nodiscard]] double speed() const { return speed_; }
+  void set_speed(double speed);
+  /// Microseconds of a clock that never goes back.
+  [[nodiscard]] std::int64_t now_us() const { return clock_(); }
   [[nodiscard]] LoopRange& loop() { return loop_; }
   [[nodiscard]] const LoopRange& loop() const { return loop_; }
   [[nodiscard]] WhileDrawing& while_drawing() { return while_drawing_; }
@@ -73,6 +82,10 @@ class Playback {
 
  private:
   void follow_time(double was_s);
+  /// Where the cursor is at a moment of the clock, if it goes on from where it began.
+  [[nodiscard]] double played_s(std::int64_t now_us) const {
+    return play_from_s_ + speed_ * static_cast<double>(now_us - play_from_us_) * 1e-6;
+  }
   /// The nearest frame; a key that lies between two stays where it is.
   [[nodiscard]] double settled(double time_s) const;
 
@@ -84,6 +97,7 @@ class Playback {
   int rate_ = k_usual_rate;
   LoopRange loop_;
   WhileDrawing while_drawing_;
+  double speed_ = 1;
   bool playing_ = false;
   bool scrubs_ = false;  ///< the timeline's pose is shown, and not taken yet
   bool carries_ = true;

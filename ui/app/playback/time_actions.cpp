@@ -5,6 +5,7 @@
 
 #include "ui/app/owners.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/playback/marks/bookmark_steps.h"
 
 namespace penpose::app {
 namespace {
@@ -38,6 +39,11 @@ void add_ghosts(CanvasLook& look) {
 }
 
 void step(Playback& playback, int frames) { playback.go_to(step_frame(playback.time_s(), frames, playback.rate())); }
+
+void next_speed(Playback& playback) {
+  const auto* now = std::find(k_speeds.begin(), k_speeds.end(), playback.speed());
+  playback.set_speed(now == k_speeds.end() || now + 1 == k_speeds.end() ? k_speeds.front() : *(now + 1));
+}
 
 void name_film(Dialogs& dialogs) {
   dialogs.state<FileChoice>().name.clear();
@@ -110,14 +116,24 @@ constinit const std::array k_time_actions{
     ActionInfo{{"paste_key"}, "Paste", ctrl_stroke('v'), {}, "Key the pose that was copied at this moment",
      "M7 5L4 5L4 21L16 21L16 18M8 3L20 3L20 17L8 17Z M11 10L17 10M14 7L14 13",
      does([](Keys& keys) { keys.paste(); }), does([](Keys& keys) { return keys.copied(); })},
-    ActionInfo{{"loop_from"}, "Loop from", plain_stroke('['), {}, "What is played begins here",
+    ActionInfo{{"loop_from"}, "In point", plain_stroke('['), {}, "What is played over and over begins here",
      "M8 4L4 4L4 20L8 20M20 12L10 12M14 8L10 12L14 16",
      does([](Playback& playback) { playback.loop().begin_at(playback.time_s()); })},
-    ActionInfo{{"loop_to"}, "Loop to", plain_stroke(']'), {}, "What is played ends here",
+    ActionInfo{{"loop_to"}, "Out point", plain_stroke(']'), {}, "What is played over and over ends here",
      "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16",
      does([](Playback& playback) { playback.loop().end_at(playback.time_s()); })},
-    ActionInfo{{"loop_off"}, "Loop all", plain_stroke('\\'), {}, "All is played, from the first frame to the last key",
+    ActionInfo{{"loop_off"}, "Clear in and out", plain_stroke('\\'), {}, "All is played, from the first frame to the last key",
      "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", does([](Playback& playback) { playback.loop() = {}; })},
+    ActionInfo{{"play_speed"}, "Speed", {}, {}, "Play at the whole, half or a quarter of the speed; the sound slows along",
+     "A12 14 9 -180 0M12 14L17 8D12 14 1.5", does<next_speed>},
+    ActionInfo{{"bookmark"}, "Bookmark", ctrl_stroke('b'), {}, "Set a bookmark here; on one, give it a name and a colour",
+     "M6 21L6 4L18 4L14 8.5L18 13L6 13", does<set_bookmark>},
+    ActionInfo{{"previous_bookmark"}, "Bookmark before", ctrl_stroke(k_key_page_up), {}, "Go to the bookmark before",
+     "M13 21L13 4L22 4L19 8L22 12L13 12M8 8L3 12L8 16",
+     does([](const EditingSession& editing, Playback& playback, Notices& notices) { step_bookmark(editing, playback, notices, -1); })},
+    ActionInfo{{"next_bookmark"}, "Bookmark after", ctrl_stroke(k_key_page_down), {}, "Go to the bookmark after",
+     "M3 21L3 4L12 4L9 8L12 12L3 12M16 8L21 12L16 16",
+     does([](const EditingSession& editing, Playback& playback, Notices& notices) { step_bookmark(editing, playback, notices, 1); })},
     ActionInfo{{"auto_key"}, "Auto-key", shift_stroke('k'), {}, "Every change of the pose is keyed at this moment",
      "M9 5L16 12L9 19L2 12F D20 5 3", does([](Playback& playback) { flip_on(playback.while_drawing().auto_key); })},
     ActionInfo{{"film"}, "Film", {}, {}, "Write what is played as a film with sound, a GIF, pictures, or a sheet of frames",

@@ -20,6 +20,12 @@ bool solves(const replay::SessionLine& line) {
          performed->command.holds<document::NameFaceLine>() || performed->command.holds<document::LineIsFeature>();
 }
 
+/// Whether a line of a session goes to another moment and does nothing else: what is saved is the same there.
+bool moves_in_time(const replay::SessionLine& line) {
+  const auto* performed = std::get_if<replay::Performed>(&line);
+  return performed != nullptr && performed->command.holds<document::GoToTime>();
+}
+
 /// The curve that has another target than before; null: none.
 document::CurveId new_target(const document::Document& before, const document::Document& after) {
   for (const auto& curve : after.curves) {
@@ -68,7 +74,9 @@ bool EditingSession::act(const replay::SessionLine& line) {
   const base::Status status = live_->act(line, now());
   if (std::holds_alternative<replay::Performed>(line) && editor().history().undo_count() > count)
     steps_.performed(count, joins_);
+  const bool stays_saved = !unsaved() && moves_in_time(line);
   after_steps(before, solves(line));
+  if (stays_saved) mark_saved();
   if (!status && live_->session().steps().empty()) tell_(message_of(status.error()), true);
   return status.ok();
 }

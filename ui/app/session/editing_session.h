@@ -97,7 +97,7 @@ class EditingSession {
 
   /// Grows with every change of the document.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  /// Whether anything was changed since `mark_saved`.
+  /// Whether anything was changed since `mark_saved`. To go to another moment is no change.
   [[nodiscard]] bool unsaved() const { return revision_ != saved_revision_; }
   void mark_saved() { saved_revision_ = revision_; }
 

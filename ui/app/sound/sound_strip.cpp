@@ -1,6 +1,7 @@
 #include "ui/app/sound/sound_strip.h"
 
 #include <algorithm>
+#include <string>
 
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -24,8 +25,8 @@ void draw_wave(const SoundTrack& track, ImVec2 from, ImVec2 size, float inset, d
 }
 
 /// Words, or the mouths that speak where none are known, each where it begins, as far as they do not cover each other.
-void draw_said(const SoundTrack& track, const SpokenSound& said, ImVec2 from, ImVec2 size, float inset, double from_s,
-               double span_s) {
+void draw_said(PanelContext& context, const SoundTrack& track, const SpokenSound& said, ImVec2 from, ImVec2 size,
+               float inset, double from_s, double span_s) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = from.y + 0.5F * (size.y - ImGui::GetTextLineHeight());
   float free = from.x;
@@ -36,9 +37,14 @@ void draw_said(const SoundTrack& track, const SpokenSound& said, ImVec2 from, Im
     list.AddRectFilled({x - 1, y}, {x + room.x + 1, y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.7F), 3);
     list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), text.data(), text.data() + text.size());
     free = x + room.x + 4;
+    std::string label = "said ";
+    context.targets[label.append(text)] = {x, y, x + room.x, y + room.y};
   };
-  for (const speech::HeardWord& one : said.words) draw(one.from_s + track.offset_s(), one.word);
-  if (!said.words.empty() || said.mouths == nullptr) return;
+  if (said.words != nullptr) {
+    for (const document::SpokenWord& one : *said.words) draw(one.from_s + track.offset_s(), one.word);
+    return;
+  }
+  if (said.mouths == nullptr) return;
   const std::string* last = nullptr;
   for (const document::SpokenMouth& one : *said.mouths) {
     if (last == nullptr || *last != one.mouth) draw(one.time_s, one.mouth);
@@ -84,7 +90,7 @@ void show_sound_strip(PanelContext& context, SoundTrack& track, const SpokenSoun
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   list.PushClipRect(from, to, true);
   draw_wave(track, from, size, inset, from_s, span_s);
-  draw_said(track, said, from, size, inset, from_s, span_s);
+  draw_said(context, track, said, from, size, inset, from_s, span_s);
   const float cursor =
       from.x + inset + static_cast<float>((playback.time_s() - from_s) / span_s) * (size.x - 2 * inset);
   list.AddLine({cursor, from.y}, {cursor, to.y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);

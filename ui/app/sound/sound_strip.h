@@ -1,9 +1,7 @@
 #pragma once
 
-#include <span>
-
 #include "core/document/sound/mouths.h"
-#include "core/speech/phones.h"
+#include "core/document/sound/spoken_words.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/sound/sound_track.h"
 
@@ -11,7 +9,7 @@ namespace penpose::app {
 
 /// What is said in the sound.
 struct SpokenSound {
-  std::span<const speech::HeardWord> words;        ///< seconds of the sound
+  const document::SpokenWords* words = nullptr;    ///< seconds of the sound; null: they are not known
   const document::SpokenMouths* mouths = nullptr;  ///< shown where no words are known; null: none
 };
 

@@ -95,17 +95,19 @@ void SoundTrack::hush() {
 
 void SoundTrack::begin_at(double time_s) {
   output_->clear();
-  next_sample_ = sound::sample_of(time_s, sound_->rate_hz);
+  next_sample_ = sound::sample_of(time_s / playback_.speed(), sound_->rate_hz);
   running_ = true;
 }
 
 void SoundTrack::play(std::int64_t now_us) {
   const double rate = sound_->rate_hz;
+  const double speed = playback_.speed();
+  if (std::exchange(heard_speed_, speed) != speed) running_ = false;
   if (!running_) {
     begin_at(playback_.time_s());
   } else {
     const auto ahead = static_cast<double>(output_->waiting() + output_->underway());
-    const double heard_s = (static_cast<double>(next_sample_) - ahead) / rate;
+    const double heard_s = speed * (static_cast<double>(next_sample_) - ahead) / rate;
     if (std::abs(heard_s - playback_.time_s()) > k_jump_s) {
       begin_at(playback_.time_s());
     } else {
@@ -114,7 +116,7 @@ void SoundTrack::play(std::int64_t now_us) {
   }
   std::vector<float> block(k_sound_block);
   while (static_cast<double>(output_->waiting()) < k_ahead_s * rate) {
-    sound::mix(*sound_, offset_s(), next_sample_, block);
+    sound::mix_slowed(*sound_, offset_s(), next_sample_, speed, block);
     output_->push(block);
     next_sample_ += static_cast<std::int64_t>(block.size());
   }

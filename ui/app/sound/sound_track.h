@@ -18,7 +18,8 @@ namespace penpose::app {
 [[nodiscard]] bool is_sound_name(const std::string& path);
 
 /// The sound beside the timeline: its samples, which the document only refers to, and what is heard of them. While the
-/// timeline plays its cursor goes along with what is heard; a cursor that is moved sounds for a frame.
+/// timeline plays its cursor goes along with what is heard, which is lower where it plays slower; a cursor that is
+/// moved sounds for a frame.
 class SoundTrack {
  public:
   SoundTrack(EditingSession& editing, Notices& notices, Playback& playback, const Files& files);
@@ -70,9 +71,11 @@ class SoundTrack {
   sound::Peaks peaks_;
   std::optional<double> dragged_s_;
   bool muted_ = false;
-  bool open_ = false;             ///< the output is
-  bool running_ = false;          ///< it plays along
-  std::int64_t next_sample_ = 0;  ///< that comes into the queue next, counted from the timeline's beginning
+  bool open_ = false;       ///< the output is
+  bool running_ = false;    ///< it plays along
+  double heard_speed_ = 1;  ///< that it plays along at
+  std::int64_t next_sample_ =
+      0;  ///< that comes into the queue next, counted from the timeline's beginning at that speed
   std::optional<double> last_time_s_;
   std::int64_t close_at_us_ = 0;
   std::int64_t now_us_ = 0;

@@ -54,29 +54,49 @@ bool ButtonRow::show_one(const Button& button, float width, bool text) {
   return pressed;
 }
 
+std::vector<float> ButtonRow::widths() const {
+  std::vector<float> widths;
+  for (const Button& button : buttons_) widths.push_back(width_of(button));
+  return widths;
+}
+
+float ButtonRow::sum_of(const std::vector<float>& widths, bool with_spare) const {
+  float all = -ImGui::GetStyle().ItemSpacing.x;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    if (with_spare || !buttons_[i].spare) all += widths[i] + ImGui::GetStyle().ItemSpacing.x;
+  }
+  return all;
+}
+
+void ButtonRow::fit(std::vector<float>& widths, float width) const {
+  float left = width - sum_of(widths, true);
+  const bool any_spare = std::any_of(buttons_.begin(), buttons_.end(), [](const Button& one) { return one.spare; });
+  // Those that are spare stand in the menu then.
+  if (left < 0 && any_spare) left = width - context_.unit - ImGui::GetStyle().ItemSpacing.x - sum_of(widths, false);
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const Button& button = buttons_[i];
+    if (button.least <= 0 || button.most <= 0) continue;
+    const float fitted = std::clamp(widths[i] + left, button.least, button.most);
+    left -= fitted - widths[i];
+    widths[i] = fitted;
+  }
+}
+
 float ButtonRow::show(float width) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  std::vector<float> widths;
-  const auto measure = [&] {
-    widths.clear();
-    float all = -spacing;
-    for (const Button& button : buttons_) {
-      widths.push_back(width_of(button));
-      all += widths.back() + spacing;
-    }
-    return all;
-  };
-  float all = measure();
-  if (all > width) {
+  std::vector<float> widths = this->widths();
+  if (sum_of(widths, true) > width) {
     // All of them with words or none, so that icons stand in one rhythm.
     for (Button& button : buttons_) button.text = button.text && (button.icon.empty() || button.keeps_word);
-    all = measure();
+    widths = this->widths();
   }
+  fit(widths, width);
+  const float all = sum_of(widths, true);
   // Room for the menu is needed only where not all fits.
   const float room = all <= width ? width : width - context_.unit - spacing;
   std::size_t shown = 0;
   float used = 0;
-  while (shown < buttons_.size() && used + widths[shown] <= room) {
+  while (shown < buttons_.size() && used + widths[shown] <= room + 0.5F) {
     if (shown > 0) ImGui::SameLine();
     show_one(buttons_[shown], widths[shown], buttons_[shown].text);
     used += widths[shown++] + spacing;

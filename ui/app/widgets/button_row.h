@@ -24,6 +24,8 @@ class ButtonRow {
     std::function<void()> does = {};
     std::function<void(PanelContext&, float width)> shows = {};  ///< something else than a button, that wide
     float width = 0;                                             ///< of that
+    float least = 0, most = 0;  ///< where there is less or more room; 0: as wide as ever
+    bool spare = false;         ///< others are not narrower for it
     ButtonWeight weight = ButtonWeight::quiet;
     bool keeps_word = false;  ///< beside its icon, also where there is little room
     bool separates = false;   ///< a line, which a menu has no use for
@@ -40,6 +42,11 @@ class ButtonRow {
 
  private:
   [[nodiscard]] float width_of(const Button& button) const;
+  [[nodiscard]] std::vector<float> widths() const;
+  /// Px of all, or of those that are not spare.
+  [[nodiscard]] float sum_of(const std::vector<float>& widths, bool with_spare) const;
+  /// Gives those that can be wider or narrower what is left or lacking of `width` px.
+  void fit(std::vector<float>& widths, float width) const;
   bool show_one(const Button& button, float width, bool text);
 
   PanelContext& context_;

@@ -74,6 +74,8 @@ Changed run(const Document& document, const SetSound& command, Parts&) {
   Document changed = document;
   changed.sound =
       std::make_shared<const SoundReference>(SoundReference{command.file, command.content, command.offset_s});
+  // What is said in another sound is not known.
+  if (!document.sound || document.sound->content != command.content) changed.words = nullptr;
   return changed;
 }
 
@@ -81,6 +83,7 @@ Changed run(const Document& document, const RemoveSound&, Parts&) {
   if (!document.sound) return no_sound();
   Document changed = document;
   changed.sound = nullptr;
+  changed.words = nullptr;
   return changed;
 }
 
@@ -143,6 +146,25 @@ Changed run(const Document& document, const KeyMouths& command, Parts& work) {
   }
   auto changed = run(document, keys, work);
   if (changed) changed->spoken = std::make_shared<const SpokenMouths>(std::move(spoken));
+  return changed;
+}
+
+Changed run(const Document& document, const SetWords& command, Parts&) {
+  if (!document.sound) return no_sound();
+  if (command.words.size() != command.times_s.size())
+    return base::Error{"there is not one word for each moment", "words", "name one a moment"};
+  if (command.words.size() > k_most_words) return base::Error{"these are too many words", "words", "give 100000"};
+  SpokenWords words;
+  for (std::size_t i = 0; i < command.words.size(); ++i) {
+    const double time_s = command.times_s[i];
+    if (!(time_s >= 0 && time_s <= k_latest_key_s) || (i > 0 && time_s < command.times_s[i - 1]))
+      return base::Error{"the moments of the words do not ascend from 0", "times_s", "give them in the order of time"};
+    if (command.words[i].empty() || command.words[i].size() > k_longest_word)
+      return base::Error{"a word is empty or too long", "words", "give 1 to 200 bytes each"};
+    words.push_back({time_s, command.words[i]});
+  }
+  Document changed = document;
+  changed.words = words.empty() ? nullptr : std::make_shared<const SpokenWords>(std::move(words));
   return changed;
 }
 

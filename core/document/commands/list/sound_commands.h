@@ -64,6 +64,17 @@ struct KeyMouths {
 };
 Changed run(const Document&, const KeyMouths&, ApplyParts&);
 
-using SoundCommands = std::variant<SetSound, RemoveSound, MoveSound, SetMouth, DeleteMouth, KeyMouths>;
+/// Remembers which words are said in the sound, and when, in place of those that were known. No words: they are not
+/// known. Errors: there is no sound, moments before it or that do not ascend, another number of words, a word of no or
+/// more than 200 bytes.
+struct SetWords {
+  static constexpr Called k_called{"set_words", "Take down the words"};
+  std::vector<double> times_s;  ///< of the sound, each that of the beginning of a word
+  std::vector<std::string> words;
+  static auto members(auto& self) { return base::named("times_s", self.times_s, "words", self.words); }
+};
+Changed run(const Document&, const SetWords&, ApplyParts&);
+
+using SoundCommands = std::variant<SetSound, RemoveSound, MoveSound, SetMouth, DeleteMouth, KeyMouths, SetWords>;
 
 }  // namespace penpose::document

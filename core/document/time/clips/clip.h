@@ -7,6 +7,7 @@
 
 #include "core/document/model.h"
 #include "core/document/sound/mouths.h"
+#include "core/document/time/bookmark.h"
 #include "core/document/time/timeline.h"
 
 namespace penpose::document {
@@ -18,6 +19,7 @@ struct Clip {
   std::shared_ptr<const Timeline> opened = {};      ///< the keys as they were read from the animation; null: none
   std::shared_ptr<const Timeline> timeline = {};    ///< never null, but for the clip that is shown
   std::shared_ptr<const SpokenMouths> spoken = {};  ///< Document::spoken of it
+  std::shared_ptr<const Bookmarks> bookmarks = {};  ///< Document::bookmarks of it
 };
 
 /// The name of a timeline that got no other one.

@@ -5,6 +5,7 @@
 
 #include "core/document/commands/apply.h"
 #include "core/document/commands/command_text.h"
+#include "core/io/project/internal/project_bookmarks.h"
 #include "core/io/project/internal/project_curves.h"
 #include "core/io/project/internal/project_face.h"
 #include "core/io/project/internal/project_sound.h"
@@ -186,6 +187,7 @@ json::Json project_to_json(const Document& document) {
   }
   project["views"] = std::move(views);
   write_project_sound(document, project);
+  if (document.bookmarks) project["bookmarks"] = bookmarks_to_json(*document.bookmarks);
   if (document.pending) project["pending"] = pending_commands(*document.pending);
   return project;
 }
@@ -194,7 +196,7 @@ base::Result<Document> read_project(const json::Json& project, const std::string
   if (!project.is_object()) return project_error("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
   for (const auto read : {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views,
-                          read_project_sound, read_clips, read_pending}) {
+                          read_project_sound, read_project_bookmarks, read_clips, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

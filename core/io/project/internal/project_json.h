@@ -15,8 +15,9 @@ namespace penpose::io {
 /// (those that have a key, in, out only where the kind is "free" or "overshoot"; where all are smooth there is no
 /// list)}]}, "views":
 /// [{"name", "view"}], "sound": {"file", "content", "offset_s"}, "mouths": [{"name", "values": {control: value}}],
-/// "spoken": [{"time_s", "mouth"}]}, the last three if there are any. Views and commands are written as
-/// core/document/commands/command_text.h says; "pose" is in the order of the model's parameters.
+/// "spoken": [{"time_s", "mouth"}], "words": [{"from_s", "word"}], "bookmarks": [{"time_s", "name", "color"}]}, the
+/// last five if there are any. Views and commands are written as core/document/commands/command_text.h says; "pose" is
+/// in the order of the model's parameters.
 [[nodiscard]] json::Json project_to_json(const document::Document& document);
 
 /// The document of a project file from its model and the member "project" at `pointer`. Errors (place: JSON pointer): a

@@ -74,6 +74,28 @@ Problem read_mouths(const json::Json& project, const std::string& pointer, docum
   return std::nullopt;
 }
 
+Problem read_words(const json::Json& project, const std::string& pointer, document::Document& out) {
+  const json::Json* value = json::find(project, "words");
+  if (value == nullptr) return std::nullopt;
+  const std::string list = json::child(pointer, "words");
+  if (!value->is_array() || value->empty() || value->size() > document::k_most_words)
+    return project_error("a list of words was expected", list);
+  if (!out.sound) return project_error("words of no sound were not expected", list);
+  document::SpokenWords words;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    const std::string here = json::child(list, i);
+    const auto from = number_of((*value)[i], "from_s", 0);
+    if (!from || (!words.empty() && *from < words.back().from_s))
+      return project_error("moments were expected that ascend from 0", json::child(here, "from_s"));
+    std::string word = text_of((*value)[i], "word");
+    if (word.empty() || word.size() > document::k_longest_word)
+      return project_error("a word of 1 to 200 bytes was expected", json::child(here, "word"));
+    words.push_back({*from, std::move(word)});
+  }
+  out.words = std::make_shared<const document::SpokenWords>(std::move(words));
+  return std::nullopt;
+}
+
 }  // namespace
 
 Problem read_spoken(const json::Json& object, const std::string& pointer, const document::Mouths& mouths,
@@ -101,7 +123,7 @@ Problem read_spoken(const json::Json& object, const std::string& pointer, const 
 }
 
 Problem read_project_sound(const json::Json& project, const std::string& pointer, document::Document& out) {
-  for (const auto read : {read_sound_reference, read_mouths}) {
+  for (const auto read : {read_sound_reference, read_words, read_mouths}) {
     if (auto problem = read(project, pointer, out)) return problem;
   }
   return read_spoken(project, pointer, out.mouths, out.spoken);
@@ -129,6 +151,10 @@ void write_project_sound(const document::Document& document, json::Json& project
     project["mouths"] = std::move(mouths);
   }
   if (document.spoken) write_spoken(*document.spoken, project);
+  if (!document.words) return;
+  json::Json words = json::Json::array();
+  for (const document::SpokenWord& one : *document.words) words.push_back({{"from_s", one.from_s}, {"word", one.word}});
+  project["words"] = std::move(words);
 }
 
 }  // namespace penpose::io

@@ -12,6 +12,7 @@
 #include "core/document/commands/text_form.h"
 #include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline_editing.h"
+#include "core/io/project/internal/project_bookmarks.h"
 #include "core/io/project/internal/project_sound.h"
 
 namespace penpose::io {
@@ -128,6 +129,7 @@ Problem read_clip(const json::Json& value, const std::string& here, const docume
   }
   const json::Json* timeline = json::find(value, "timeline");
   if (timeline == nullptr) return std::nullopt;
+  if (auto problem = read_bookmarks(value, here, out.bookmarks)) return problem;
   if (auto problem =
           read_keys(*timeline, json::child(here, "timeline"), document.model->rig->parameters(), out.timeline))
     return problem;
@@ -170,6 +172,7 @@ json::Json clips_to_json(const document::Document& document) {
     }
     if (i != document.clip) one["timeline"] = timeline_to_json(*clip.timeline);
     if (clip.spoken) write_spoken(*clip.spoken, one);
+    if (clip.bookmarks) one["bookmarks"] = bookmarks_to_json(*clip.bookmarks);
     list.push_back(std::move(one));
   }
   return list;

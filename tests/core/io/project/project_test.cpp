@@ -60,6 +60,9 @@ DocumentHand full_hand() {
   hand.does(SetKeyKind{{{2}, {"up"}}, KeyKind::overshoot});
   hand.does(SetKeySlopes{2, "up", 5, 1});
   hand.does(SetSound{"sounds/talk \xc3\xa9.wav", {0x123456789abcdef0U, 0xfU}, -1.0 / 3});
+  hand.does(SetWords{{0.1, 1.0 / 3}, {"h\xc3\xa9llo", "there"}});
+  hand.does(SetBookmark{1.0 / 3, "hit \"x\"", 4});
+  hand.does(SetBookmark{2, "", 0});
   hand.does(SetMouth{"open", {{"up", 0.25}, {"lift", 1.0 / 3}}});
   hand.does(SetMouth{"rest", {}});
   hand.does(KeyMouths{{0.5, 0.75}, {"open", "rest"}});
@@ -295,6 +298,12 @@ TEST(ProjectJson, ErrorsSayWhereTheyAre) {
   EXPECT_EQ(place_of([](nlohmann::json& p) { p["locked"][0] = 3; }), "/locked/0");
   EXPECT_EQ(place_of([](nlohmann::json& p) { p["views"][1]["name"] = "front/top"; }), "/views/1/name");
   EXPECT_EQ(place_of([](nlohmann::json& p) { p["time_s"] = 36001; }), "/time_s");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["words"][1]["from_s"] = 0.05; }), "/words/1/from_s");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["words"][0]["word"] = ""; }), "/words/0/word");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["bookmarks"][1]["time_s"] = 0.1; }), "/bookmarks/1/time_s");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["bookmarks"][0]["color"] = 6; }), "/bookmarks/0/color");
+  EXPECT_EQ(place_of([](nlohmann::json& p) { p["bookmarks"][0]["name"] = std::string(201, 'a'); }),
+            "/bookmarks/0/name");
   EXPECT_EQ(place_of([](nlohmann::json& p) { p["pending"][1] = "clear_curves"; }), "/pending/1") << "only a sketch";
   EXPECT_EQ(place_of([](nlohmann::json& p) { p["pending"][0] = "begin_deformer name=lift"; }), "/pending/0");
 }

@@ -5,8 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "core/sound/read/read_sound.h"
 #include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
+#include "tests/support/sound_files.h"
 #include "ui/files/load_model.h"
 
 // What a crash leaves, and how one goes on from there.
@@ -96,6 +98,57 @@ TEST(Recovery, SaveGoesWhereTheWorkWasSavedBeforeTheCrash) {
   desk->press('s', true);
   EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none) << "no name is asked for";
   EXPECT_FALSE(desk->app->of<EditingSession>().unsaved());
+}
+
+TEST(Recovery, MovesInTimeAfterTheSaveLeaveNothingToSaveOrToBringBack) {
+  auto desk = start("crash-scrub", true);
+  desk->click("Key");
+  desk->app->of<Playback>().go_to(2);
+  desk->app->of<Controls>().set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
+  desk->click("Key");
+  ASSERT_TRUE(desk->app->of<Files>().save(desk->path("mine.glb")).ok());
+  const auto pose = desk->document().pose;
+  desk->app->of<Playback>().go_to(1);
+  desk->press(',');
+  desk->press('.', false, true);
+  desk->frames();
+  EXPECT_NE(desk->document().pose, pose) << "the face is that of the other moment";
+  EXPECT_FALSE(desk->app->of<EditingSession>().unsaved());
+  crash(std::move(desk));
+  desk = start("crash-scrub");
+  EXPECT_NE(desk->app->of<Dialogs>().open(), Dialog::recover);
+  // A change counts, also between two moves in time.
+  ASSERT_TRUE(desk->app->of<Files>().open(desk->path("mine.glb")).ok());
+  desk->app->of<Playback>().go_to(2);
+  desk->app->of<Keys>().set_kind(document::KeyKind::linear);
+  EXPECT_TRUE(desk->app->of<EditingSession>().unsaved());
+  desk->app->of<Playback>().go_to(1);
+  EXPECT_TRUE(desk->app->of<EditingSession>().unsaved());
+}
+
+TEST(Recovery, TheWordsOfASoundComeBackAsWords) {
+  if (!sound::reads_sounds()) GTEST_SKIP() << "built without libsndfile";
+  auto desk = start("crash-words", true);
+  const auto bytes = tests::wav_bytes(tests::tone(440, 8000, 2), 8000);
+  std::ofstream(desk->path("talk.wav"), std::ios::binary) << std::string(bytes.begin(), bytes.end());
+  desk->app->of<SoundTrack>().open(desk->path("talk.wav"));
+  desk->app->of<KeptMouths>().keep_usual();
+  auto& editing = desk->app->of<EditingSession>();
+  ASSERT_TRUE(editing.perform(document::KeyMouths{{0, 0.5, 1}, {"rest", "A", "rest"}}));
+  ASSERT_TRUE(editing.perform_with(document::SetWords{{0.4, 1.2}, {"hello", "there"}}));
+  desk->frames();
+  ASSERT_NE(desk->interface->find("said hello"), nullptr);
+  crash(std::move(desk));
+  desk = start("crash-words");
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
+  desk->click("Bring it back");
+  EXPECT_NE(desk->interface->find("said hello"), nullptr);
+  EXPECT_NE(desk->interface->find("said there"), nullptr);
+  EXPECT_EQ(desk->interface->find("said A"), nullptr) << "no name of a mouth";
+  ASSERT_TRUE(desk->app->of<Files>().save(desk->path("talks.glb")).ok());
+  ASSERT_TRUE(desk->app->of<Files>().open(desk->path("talks.glb")).ok());
+  desk->frames();
+  EXPECT_NE(desk->interface->find("said hello"), nullptr) << "the project keeps them";
 }
 
 TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {

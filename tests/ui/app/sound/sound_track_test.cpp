@@ -106,6 +106,30 @@ TEST_F(SoundTrackOfDesk, ItIsPlayedSampleBySampleFromTheCursor) {
   for (std::size_t i = 0; i < 4000; ++i) ASSERT_EQ(log_.heard[i], tone[first + i]) << i;
 }
 
+TEST_F(SoundTrackOfDesk, AtHalfTheSpeedItIsHeardTwiceAsSlowAndThePictureGoesAlong) {
+  track().open(path("talk.wav"));
+  desk_.app->of<Actions>().run(Action{"play_speed"});
+  ASSERT_EQ(playback().speed(), 0.5);
+  playback().go_to(0.5);
+  desk_.frames(1);
+  log_.heard.clear();
+  log_.queue.clear();
+  playback().play_or_stop();
+  for (int i = 0; i < 60; ++i) frame();
+  const double passed_s = 0.016 * 60;
+  EXPECT_NEAR(playback().time_s(), 0.5 + 0.5 * passed_s, 0.5 / 24);
+  ASSERT_GT(log_.heard.size(), 6000U);
+  const auto& tone = track().sound()->samples;
+  // The first frame comes 16 ms after the key was pressed.
+  const auto first = static_cast<std::size_t>(std::lround((0.5 + 0.5 * 0.016) * k_rate_hz));
+  for (std::size_t i = 0; i < 2000; ++i) ASSERT_NEAR(log_.heard[2 * i], tone[first + i], 1e-6) << i;
+  // Back to the whole speed while it plays: no jump.
+  const double before_s = playback().time_s();
+  playback().set_speed(1);
+  frame();
+  EXPECT_NEAR(playback().time_s(), before_s + 0.016, 0.5 / 24);
+}
+
 TEST_F(SoundTrackOfDesk, ThePictureFollowsWhatIsHeardToHalfAFrame) {
   for (const double pace : {0.97, 1.0, 1.03}) {
     track().open(path("talk.wav"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/document/time/timeline_editing.h"
+#include "ui/app/panels/timeline/curve_graph.h"
 #include "ui/app/panels/timeline/sheet_names.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
@@ -15,30 +16,10 @@
 namespace penpose::app {
 namespace {
 
-constexpr float k_handle_inset_px = 4, k_margin_share = 0.1F, k_curve_step_px = 3, k_point_units = 0.17F;
+constexpr float k_handle_inset_px = 4, k_curve_step_px = 3, k_point_units = 0.17F;
 constexpr std::size_t k_curves_at_first = 4;
 /// Of more keys handles would hide the curves.
 constexpr std::size_t k_most_with_handles = 40;
-
-/// Where the values of controls lie on the strip: each by its own range.
-struct Graph {
-  Strip strip;
-  std::span<const rig::Parameter> parameters;
-  [[nodiscard]] float y_of(std::size_t control, double value) const {
-    const rig::Parameter& range = parameters[control];
-    const double span = std::max(range.maximum - range.minimum, 1e-9);
-    const auto share = static_cast<float>((value - range.minimum) / span);
-    return strip.to().y - (k_margin_share + share * (1 - 2 * k_margin_share)) * strip.size.y;
-  }
-  /// A share of the range, for the whole height that is left between the margins.
-  [[nodiscard]] double share_of(float y) const {
-    return static_cast<double>(((strip.to().y - y) / strip.size.y - k_margin_share) / (1 - 2 * k_margin_share));
-  }
-  [[nodiscard]] double value_of(std::size_t control, float y) const {
-    const rig::Parameter& range = parameters[control];
-    return range.minimum + share_of(y) * (range.maximum - range.minimum);
-  }
-};
 
 /// A handle of a key: its end, and the slope that it stands for.
 struct Handle {
@@ -294,12 +275,10 @@ void show_curve_editor(PanelContext& context, const TimelineOwners& with, float 
   if (ImGui::IsItemDeactivated()) end_drag(with, graph, at);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(graph.strip.from, graph.strip.to(), true);
-  for (const float share : {0.0F, 0.5F, 1.0F}) {
-    const float y = graph.strip.to().y - (k_margin_share + share * (1 - 2 * k_margin_share)) * graph.strip.size.y;
-    list.AddLine({graph.strip.from.x, y}, {graph.strip.to().x, y}, ImGui::GetColorU32(ImGuiCol_Text, 0.15F));
-  }
+  draw_grid(context, with, graph);
   draw_curves(context, with, graph);
   draw_trailing(with, graph);
+  draw_axis(context, with, graph);
   show_cursor(graph.strip, with);
   if (drag.does == KeyDrag::Does::boxes && drag.pulled)
     list.AddRect({drag.from.first, drag.from.second}, at, ImGui::GetColorU32(ImGuiCol_ButtonActive));

@@ -197,8 +197,8 @@ void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float he
   use_sheet(context, with, sheet);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(sheet.strip.from, sheet.strip.to(), true);
-  draw_rows(context, with, sheet);
   show_cursor(sheet.strip, with);
+  draw_rows(context, with, sheet);
   show_selection_bar(context, with, sheet.strip);
   const KeyDrag& drag = with.shown().drag;
   if (drag.does == KeyDrag::Does::boxes && drag.pulled) {

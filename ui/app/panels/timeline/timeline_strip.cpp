@@ -1,7 +1,9 @@
 #include "ui/app/panels/timeline/timeline_strip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "core/document/time/timeline.h"
@@ -52,14 +54,20 @@ float names_width(const PanelContext& context, const TimelineOwners& with) {
   return std::min(k_names_units * context.unit, k_most_names_share * static_cast<float>(context.window.width));
 }
 
-Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char* name, const char* tip, float height) {
+Strip place_strip(const PanelContext& context, const TimelineOwners& with, float height) {
   Strip strip;
   strip.shown = shown_moments(with);
   const float names = names_width(context, with);
-  if (names > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names);
   strip.from = ImGui::GetCursorScreenPos();
-  strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x), height > 0 ? height : context.unit};
+  strip.from.x += names;
+  strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x - names), height > 0 ? height : context.unit};
   strip.inset = 0.3F * context.unit;
+  return strip;
+}
+
+Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char* name, const char* tip, float height) {
+  const Strip strip = place_strip(context, with, height);
+  ImGui::SetCursorScreenPos(strip.from);
   ImGui::InvisibleButton(name, strip.size);
   note(context, name);
   tooltip(context, tip);
@@ -68,6 +76,22 @@ Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char*
   }
   ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   return strip;
+}
+
+int frames_apart(const Strip& strip, int rate, float room) {
+  const double px = static_cast<double>(strip.width()) / (strip.shown.span * rate);
+  for (const int frames : {1, 2, 5, 10, rate, 2 * rate, 3 * rate, 5 * rate, 10 * rate, 60 * rate, 600 * rate}) {
+    if (px * frames >= static_cast<double>(room)) return frames;
+  }
+  return 3600 * rate;
+}
+
+std::string axis_number(double value, double step) {
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 0, 6);
+  std::array<char, 48> text{};
+  // No "-0".
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value) < 1e-3 * step ? 0.0 : value);
+  return text.data();
 }
 
 void show_cursor(const Strip& strip, const TimelineOwners& with) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <imgui.h>
+#include <string>
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
@@ -64,9 +66,15 @@ struct Strip {
 };
 /// Px at the left of all strips where rows have their names; 0 where there are no rows.
 [[nodiscard]] float names_width(const PanelContext& context, const TimelineOwners& with);
+/// Where a strip as wide as the panel lies that is shown next; `height`: px, 0: of one target.
+[[nodiscard]] Strip place_strip(const PanelContext& context, const TimelineOwners& with, float height);
 /// A strip as wide as the panel, which is hit under a name; `height`: px, 0: of one target.
 Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char* name, const char* tip,
                   float height = 0);
+/// Frames from one number to the next on a strip, so that each has so many px of room.
+[[nodiscard]] int frames_apart(const Strip& strip, int rate, float room);
+/// A number as an axis has it, with as many decimals as its step needs.
+[[nodiscard]] std::string axis_number(double value, double step);
 /// The playhead's line on a strip.
 void show_cursor(const Strip& strip, const TimelineOwners& with);
 
@@ -104,8 +112,24 @@ class KeyRow {
 /// The colour of the curve of a control.
 [[nodiscard]] ImU32 curve_color(std::size_t control);
 
-/// How far the last change of a ghost goes, where there is one (ghost_reach.cpp).
-void show_ghost_reach(PanelContext& context, const TimelineOwners& with);
+/// How far the last change of a ghost goes, where there is one, over the row of keys that is shown next: its ends are
+/// hit before the keys (ghost_reach.cpp). Call `draw_ghost_reach` when the row is drawn.
+void hit_ghost_reach(PanelContext& context, const TimelineOwners& with);
+void draw_ghost_reach(const TimelineOwners& with, const Strip& strip);
+
+/// Frames by number, bookmarks and the part that is played (ruler.cpp). Dragged along it, the playhead goes along.
+void show_ruler(PanelContext& context, const TimelineOwners& with);
+/// The menu of bookmarks and of what is played, where it was opened by its name (marks_menu.cpp).
+void show_marks_menu(PanelContext& context, const TimelineOwners& with, const char* name);
+/// The buttons above it, in groups (time_buttons.cpp).
+void show_time_buttons(PanelContext& context, const TimelineOwners& with);
+/// How the face goes to the next key: a button with its picture, and a menu of all (ease_menu.cpp).
+void show_ease(PanelContext& context, const TimelineOwners& with, float width);
+/// A slider from the key before to the key after; a breakdown is keyed where it is let go (breakdown_slider.cpp).
+void show_breakdown(PanelContext& context, const TimelineOwners& with, float width);
+
+/// The colours of bookmarks, by their numbers.
+[[nodiscard]] ImU32 bookmark_color(std::uint32_t number, float alpha = 1);
 
 /// How many ghosts are shown, and a menu of how they are (onion_menu.cpp).
 void show_onion_button(PanelContext& context, CanvasLook& look, float width);

@@ -28,6 +28,7 @@ void put_away(Document& document) {
   Clip shown = *document.clips[document.clip];
   shown.timeline = document.timeline;
   shown.spoken = document.spoken;
+  shown.bookmarks = document.bookmarks;
   document.clips[document.clip] = std::make_shared<const Clip>(std::move(shown));
 }
 
@@ -36,6 +37,7 @@ void take_out(Document& document, std::size_t number) {
   Clip shown = *document.clips[number];
   document.timeline = std::exchange(shown.timeline, nullptr);
   document.spoken = std::exchange(shown.spoken, nullptr);
+  document.bookmarks = std::exchange(shown.bookmarks, nullptr);
   document.clips[number] = std::make_shared<const Clip>(std::move(shown));
   document.clip = number;
   document.pose = pose_at(document, document.time_s);
@@ -116,7 +118,10 @@ Changed run(const Document& document, const AddClip& command, Parts&) {
   if (auto error = check_name(changed, command.name)) return *error;
   Clip clip{command.name};
   clip.timeline = command.copies ? document.timeline : std::make_shared<const Timeline>();
-  if (command.copies) clip.spoken = document.spoken;
+  if (command.copies) {
+    clip.spoken = document.spoken;
+    clip.bookmarks = document.bookmarks;
+  }
   return with_added(std::move(changed), std::move(clip));
 }
 
@@ -156,6 +161,14 @@ Changed run(const Document& document, const TrimClip& command, Parts&) {
         spoken.push_back({one.time_s - command.from_s, one.mouth});
     }
     changed.spoken = spoken.empty() ? nullptr : std::make_shared<const SpokenMouths>(std::move(spoken));
+  }
+  if (document.bookmarks) {
+    Bookmarks bookmarks;
+    for (const Bookmark& one : *document.bookmarks) {
+      if (one.time_s >= command.from_s && one.time_s <= command.to_s)
+        bookmarks.push_back({one.time_s - command.from_s, one.name, one.color});
+    }
+    changed.bookmarks = shared_bookmarks(std::move(bookmarks));
   }
   changed.time_s = std::clamp(document.time_s - command.from_s, 0.0, command.to_s - command.from_s);
   changed.pose = pose_at(changed, changed.time_s);

@@ -197,5 +197,33 @@ TEST(SoundCommands, MouthsFollowAControlThatIsRenamedAndLoseOneThatIsGone) {
   EXPECT_TRUE(has("lift"));
 }
 
+TEST(SoundCommands, WordsStayWithTheirSoundAndGoWithIt) {
+  DocumentHand hand;
+  EXPECT_EQ(hand.refuses(SetWords{{0.5}, {"hello"}}).what, "there is no sound");
+  hand.does(SetSound{"talk.wav", k_content, 0});
+  hand.does(SetWords{{0.25, 0.5}, {"hello", "there"}});
+  ASSERT_NE(hand.document().words, nullptr);
+  EXPECT_EQ(*hand.document().words, (SpokenWords{{0.25, "hello"}, {0.5, "there"}}));
+  hand.does(MoveSound{2});
+  hand.does(SetSound{"moved/talk.wav", k_content, 2});
+  EXPECT_NE(hand.document().words, nullptr) << "the same sound under another name";
+  hand.does(SetSound{"other.wav", base::Hash128{3, 4}, 0});
+  EXPECT_EQ(hand.document().words, nullptr);
+  ASSERT_TRUE(hand.undo().ok());
+  EXPECT_EQ(hand.document().words->size(), 2U);
+  hand.does(RemoveSound{});
+  EXPECT_EQ(hand.document().words, nullptr);
+}
+
+TEST(SoundCommands, WhatAreNoWordsIsRefused) {
+  DocumentHand hand;
+  hand.does(SetSound{"talk.wav", k_content, 0});
+  EXPECT_EQ(hand.refuses(SetWords{{0.5, 1}, {"hello"}}).place, "words");
+  EXPECT_EQ(hand.refuses(SetWords{{0.5, 0.25}, {"a", "b"}}).place, "times_s");
+  EXPECT_EQ(hand.refuses(SetWords{{-1}, {"a"}}).place, "times_s");
+  EXPECT_EQ(hand.refuses(SetWords{{0}, {""}}).place, "words");
+  EXPECT_EQ(hand.refuses(SetWords{{0}, {std::string(201, 'a')}}).place, "words");
+}
+
 }  // namespace
 }  // namespace penpose::document

@@ -389,6 +389,28 @@ class KnowingHand {
     return command;
   }
 
+  document::Command make(Tag<document::SetWords>) {
+    if (!doc().sound) return make(Tag<document::SetSound>{});
+    document::SetWords command;
+    for (std::size_t i = random_.below(4); i > 0; --i) {
+      command.times_s.push_back(random_.real(0, 0.4) + (command.times_s.empty() ? 0 : command.times_s.back()));
+      command.words.push_back(fresh_name());
+    }
+    return command;
+  }
+  document::Command make(Tag<document::SetBookmark>) {
+    return document::SetBookmark{random_.real(0, 3), random_.chance(0.5) ? fresh_name() : std::string(),
+                                 static_cast<std::uint32_t>(random_.below(document::k_bookmark_colors))};
+  }
+  document::Command make(Tag<document::MoveBookmark>) {
+    if (!doc().bookmarks) return make(Tag<document::SetBookmark>{});
+    return document::MoveBookmark{any(*doc().bookmarks).time_s, random_.real(0, 3)};
+  }
+  document::Command make(Tag<document::DeleteBookmark>) {
+    if (!doc().bookmarks) return make(Tag<document::SetBookmark>{});
+    return document::DeleteBookmark{{any(*doc().bookmarks).time_s}};
+  }
+
   document::Command make(Tag<document::OpenClip>) {
     const std::size_t animations = doc().model->animations.size();
     if (animations == 0) return make(Tag<document::AddClip>{});
@@ -596,7 +618,11 @@ class KnowingHand {
       "draw_feature",
       "line_is_feature",
       "place_feature",
-      "feature_as_found"};
+      "feature_as_found",
+      "set_words",
+      "set_bookmark",
+      "move_bookmark",
+      "delete_bookmark"};
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::feature) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;
