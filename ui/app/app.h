@@ -141,8 +141,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&,
-             Restriction&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&, Restriction&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -8,7 +8,7 @@
 #include "core/articulation/edit.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
-#include "ui/app/playback/place_under.h"
+#include "ui/app/canvas/place_under.h"
 #include "ui/app/view/shown_features.h"
 #include "ui/app/view/user_messages.h"
 
@@ -190,8 +190,8 @@ void CurvesInHand::take_place(PxPoint at) {
     hold_line(curve->target->points, at);
     return;
   }
-  const auto found = place_under(parts_.editing, parts_.canvas.surface(), parts_.canvas.view(), at,
-                                 0.5 * parts_.canvas.target_px());
+  const auto found =
+      place_under(parts_.editing, parts_.canvas.surface(), parts_.canvas.view(), at, 0.5 * parts_.canvas.target_px());
   if (!found) return parts_.notices.tell("There is nothing under the pen: press on the face and pull");
   if (parts_.editing.shown().hold_place(found->place)) {
     place_ = at;
@@ -237,8 +237,8 @@ std::optional<std::string> CurvesInHand::feature_at(PxPoint at) const {
   for (const auto& [name, area] : parts_.panels.feature_labels) {
     if (area.holds(at)) return name;
   }
-  const bool all = parts_.features.shown() || parts_.tool.now().kind == drawing::ToolKind::feature ||
-                   parts_.tool.now().selects;
+  const bool all =
+      parts_.features.shown() || parts_.tool.now().kind == drawing::ToolKind::feature || parts_.tool.now().selects;
   if (!all || !parts_.panels.shown) return std::nullopt;
   return shown_feature_near(parts_.editing, parts_.canvas.surface(), at, k_lit_px * parts_.canvas.scale());
 }

@@ -81,7 +81,7 @@ class Controls {
   articulation::Mode new_mode_ = articulation::Mode::automatic;
   articulation::Surface new_surface_;
   bool swings_ = false;
-  std::string trial_;  ///< the control that is seen at its target; empty: none
+  std::string trial_;                                       ///< the control that is seen at its target; empty: none
   std::shared_ptr<const document::PendingSketch> doubted_;  ///< whose feature that was said of
   std::size_t deformer_count_ = 0;                          ///< to tell a new one
   std::size_t correction_count_ = 0;                        ///< likewise

@@ -9,8 +9,8 @@
 namespace penpose::app {
 
 /// Which controls lines and pulls may move, beside what the artist locked: only some, or all but some. It is a step of
-/// the document (the others are locked), so that undo takes it back and sessions replay it; what was locked before stays
-/// locked when it is lifted.
+/// the document (the others are locked), so that undo takes it back and sessions replay it; what was locked before
+/// stays locked when it is lifted.
 class Restriction {
  public:
   Restriction(EditingSession& editing, Notices& notices) : editing_(editing), notices_(notices) {}

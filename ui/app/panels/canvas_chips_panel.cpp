@@ -80,8 +80,8 @@ double show_chip(PanelContext& context, const Area& free, const Chip& chip, doub
     }
     float buttons = 0;
     for (const Action action : chip.actions)
-      buttons += button_width(context, label_of(action).c_str(), icon_of(action), true) +
-                 ImGui::GetStyle().ItemSpacing.x;
+      buttons +=
+          button_width(context, label_of(action).c_str(), icon_of(action), true) + ImGui::GetStyle().ItemSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x - buttons;
     text_beside(context, fitted_text(chip.text, std::max(room, 0.0F)).c_str());
     for (const Action action : chip.actions) {
@@ -102,8 +102,7 @@ double show_restriction(PanelContext& context, const Area& free, const std::stri
                         double top) {
   const auto gap = static_cast<double>(context.gap);
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const std::string shown =
-      fitted_text(words, static_cast<float>(free.width()) - 3 * context.unit);
+  const std::string shown = fitted_text(words, static_cast<float>(free.width()) - 3 * context.unit);
   const std::string label = shown + "##restriction";
   const auto width = static_cast<double>(button_width(context, label.c_str(), icon::k_cross, true) + 2 * padding.x);
   const double left = free.left + gap;

@@ -6,7 +6,7 @@
 
 #include "core/document/time/timeline_editing.h"
 #include "ui/app/playback/frames.h"
-#include "ui/app/playback/mirrored_keys.h"
+#include "ui/app/playback/sheet/mirrored_keys.h"
 
 namespace penpose::app {
 namespace {

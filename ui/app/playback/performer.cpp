@@ -123,8 +123,8 @@ bool Performer::end() {
       thinned(document, *all, *editing_.shown().whole_model().fields, editing_.editor().view());
   if (!(drawn ? editing_.perform_with(keys) : editing_.perform(keys))) return true;
   editing_.perform_with(document::GoToTime{playback_.time_s()});
-  take_ = Take{performance.first_s(), performance.last_s(), performance.frame_count(), keys.times_s.size(),
-               document.timeline,      steps_};
+  take_ = Take{performance.first_s(), performance.last_s(), performance.frame_count(),
+               keys.times_s.size(),   document.timeline,    steps_};
   const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed with " +
                             std::to_string(keys.times_s.size()) + " keys: " + listed(keys.names);
   editing_.last_stroke().say(keyed);

@@ -17,7 +17,7 @@ struct Take {
   double from_s = 0;
   double to_s = 0;
   std::size_t frames = 0;
-  std::size_t keys = 0;  ///< moments with keys
+  std::size_t keys = 0;                                ///< moments with keys
   std::shared_ptr<const document::Timeline> timeline;  ///< as the take left it
   std::size_t steps = 0;                               ///< that were done before it
 };

@@ -185,7 +185,8 @@ void add_options(const Command& command, PosesArguments& arguments) {
       .one_of({"all", "brows", "eyes", "mouth"})
       .show_default();
   command.add_flag("--mirror", arguments.mirror, "take the pose with left and right exchanged").needs(take);
-  command.add_option("--amount", arguments.amount, "how much of the way from the pose of MODEL to the pose that is taken")
+  command
+      .add_option("--amount", arguments.amount, "how much of the way from the pose of MODEL to the pose that is taken")
       .check(number_range(0, 1), "0 to 1")
       .show_default()
       .needs(take);

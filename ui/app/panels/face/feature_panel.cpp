@@ -55,10 +55,10 @@ std::optional<Command> choose_feature(PanelContext& context, const EditingSessio
 bool show_part_rows(PanelContext& context, EditingSession& editing, PanelState& panels, Restriction& restriction,
                     FacePart part) {
   const std::string words = words_of_part(part);
-  const bool only = wide_button(context, ("Only " + words + "##part").c_str(), -1, false,
-                                "Lines and pulls move nothing else");
-  const bool without = wide_button(context, ("Not " + words + "##part").c_str(), -1, false,
-                                   "Lines and pulls move everything else");
+  const bool only =
+      wide_button(context, ("Only " + words + "##part").c_str(), -1, false, "Lines and pulls move nothing else");
+  const bool without =
+      wide_button(context, ("Not " + words + "##part").c_str(), -1, false, "Lines and pulls move everything else");
   if (!only && !without) return false;
   const MeantControls meant = controls_of_part(editing, panels.own.of<ControlParts>(), part);
   if (only) restriction.only(meant.names, meant.words);
@@ -74,7 +74,8 @@ std::optional<Command> change_feature(PanelContext& context, EditingSession& edi
   const bool corrected = document::find_correction(*editing.document().model, menu.feature) != nullptr;
   const double wide = 5.0 * static_cast<double>(context.unit);
   std::optional<Command> chosen;
-  if (begin_panel(context, "feature", menu_area(context, canvas, menu.at, wide, (corrected ? 3.6 : 2.6) + (part ? 2 : 0)))) {
+  if (begin_panel(context, "feature",
+                  menu_area(context, canvas, menu.at, wide, (corrected ? 3.6 : 2.6) + (part ? 2 : 0)))) {
     ImGui::TextUnformatted(feature_words(menu.feature).c_str());
     if (wide_button(context, "No such feature", -1, false, "The face has none there: no line is read as it"))
       chosen = document::PlaceFeature{menu.feature, {}};

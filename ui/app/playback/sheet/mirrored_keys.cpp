@@ -1,4 +1,4 @@
-#include "ui/app/playback/mirrored_keys.h"
+#include "ui/app/playback/sheet/mirrored_keys.h"
 
 #include <map>
 #include <set>
