@@ -116,7 +116,7 @@ TEST(Restriction, TheMenuOfAFeatureOffersItsPart) {
   desk.begin();
   desk.press('v');
   desk.frames();
-  desk.click("feature lip_upper_outer");
+  desk.click("feature lip_upper");
   ASSERT_NE(desk.interface->find("Only the mouth##part"), nullptr);
   desk.click("Only the mouth##part");
   EXPECT_EQ(desk.app->of<Restriction>().words(), "Only the mouth");

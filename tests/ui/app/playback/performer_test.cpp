@@ -71,9 +71,9 @@ TEST_P(PullsFeature, FollowsThePenWithoutAnyLineDrawnAndIsKeyed) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheFace, PullsFeature,
                          testing::Values(std::tuple{"brow_L", 0.5, 0.0, -12.0}, std::tuple{"jaw", 0.5, 0.0, 20.0},
-                                         std::tuple{"lip_lower_outer", 0.5, 0.0, 14.0},
+                                         std::tuple{"lip_lower", 0.5, 0.0, 14.0},
                                          std::tuple{"eyelid_upper_R", 0.5, 0.0, 8.0},
-                                         std::tuple{"lip_upper_outer", 0.02, 4.0, -10.0}));
+                                         std::tuple{"lip_upper", 0.02, 4.0, -10.0}));
 
 TEST(Performer, ArmsRecordsAndIsDone) {
   Desk desk("states");
@@ -160,8 +160,8 @@ TEST(Performer, APointBesideAllFeaturesIsPulledToo) {
   desk.begin();
   desk.press(k_shift_space, false, true);
   // Between the corner of the mouth and the ear.
-  const PxPoint corner = on_feature(desk, "lip_upper_outer", 0);
-  const PxPoint at = corner + PxPoint{corner.x < on_feature(desk, "lip_upper_outer").x ? -38.0 : 38.0, -14};
+  const PxPoint corner = on_feature(desk, "lip_upper", 0);
+  const PxPoint at = corner + PxPoint{corner.x < on_feature(desk, "lip_upper").x ? -38.0 : 38.0, -14};
   pull(desk, at, {{0, -14}, 40});
   EXPECT_GE(key_count(desk), 2U);
 }
