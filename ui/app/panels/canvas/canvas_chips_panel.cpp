@@ -90,6 +90,7 @@ double show_chip(PanelContext& context, const Area& free, const Chip& chip, doub
       ButtonLook look{0, false, nullptr, icon_of(action)};
       const std::string tip = context.actions.keys().tooltip_of(action);
       look.tip = tip.c_str();
+      if (action == Action{"keep_take"}) look.weight = ButtonWeight::primary;
       if (icon_button(context, label.c_str(), look)) context.actions.run(action);
     }
   }
