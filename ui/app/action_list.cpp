@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ui/app/action.h"
+#include "ui/app/controls/control_actions.h"
 #include "ui/app/face/neutral_face.h"
 #include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
@@ -81,7 +82,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 }
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
-            SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap,
+            SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap, ToolInHand& tool,
             KeptFeatures& features) {
   if (panels.radial) {
     panels.radial.reset();
@@ -101,6 +102,10 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     if (!editing.pen_is_drawing()) controls.lent().give_back();
   } else if (editing.document().pending) {
     editing.perform(document::CancelDeformer{});
+  } else if (controls.trial() != nullptr) {
+    controls.end_trial();
+  } else if (playback.while_drawing().performs && !features.shown()) {
+    tool.perform_or_end();
   } else {
     features.hide();
   }
@@ -385,6 +390,8 @@ std::vector<ActionInfo> made_actions() {
   all.insert(all.end(), k_actions.begin(), k_actions.end());
   const auto of_hand = hand_actions();
   all.insert(all.end(), of_hand.begin(), of_hand.end());
+  const auto of_controls = control_actions();
+  all.insert(all.end(), of_controls.begin(), of_controls.end());
   const auto of_time = time_actions();
   all.insert(all.end(), of_time.begin(), of_time.end());
   return all;

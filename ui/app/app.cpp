@@ -37,13 +37,14 @@ App::App(AppOptions options)
       canvas_(editing_, preferences_, notices_, player_),
       features_(options_.folders.config, editing_, notices_),
       controls_(editing_, notices_, canvas_, panels_),
+      restriction_(editing_, notices_),
       playback_(options_.clock, editing_, notices_, preferences_),
       keys_(editing_, notices_, playback_),
       overlap_(editing_, playback_, keys_, notices_),
       performer_(editing_, notices_, playback_, player_),
       ghosts_({editing_, playback_, notices_, canvas_, look_}),
       tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
-      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_}),
+      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_, restriction_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
@@ -72,7 +73,7 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_, restriction_) {
   dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
@@ -97,6 +98,7 @@ void App::show_anew() {
   features_.forget();
   playback_.begin();
   controls_.open_document();
+  restriction_.forget();
   curves_.forget();
   mouths_.forget();
   canvas_.begin();
@@ -199,8 +201,9 @@ void App::begin_frame() {
   look.deformer = controls_.shown();
   // Else where the features are is found once the pen comes near the face.
   look.all_features = features_.shown() || look.tool->kind == drawing::ToolKind::feature;
-  look.features = !playback_.playing() && panels_.shown &&
-                  (look.all_features || (look.tool->kind == drawing::ToolKind::draw && hits_.on_canvas(place_.at())));
+  const bool looks_for = look.tool->kind == drawing::ToolKind::draw || look.tool->pulls;
+  look.features = !playback_.playing() && !performer_.performing() && panels_.shown &&
+                  (look.all_features || (looks_for && hits_.on_canvas(place_.at())));
   if (look.tool->shows_arcs)
     look.arcs = arcs_.of(editing_.document(), editing_.features(), canvas_.view(), playback_.rate());
   curves_.add_to(look, place_.at());

@@ -9,6 +9,7 @@
 #include "ui/app/canvas/curves_in_hand.h"
 #include "ui/app/canvas/undrawn_textures.h"
 #include "ui/app/controls/controls.h"
+#include "ui/app/controls/restriction.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
 #include "ui/app/face/kept_features.h"
@@ -102,6 +103,7 @@ class App {
   Canvas canvas_;
   KeptFeatures features_;
   Controls controls_;
+  Restriction restriction_;
   Playback playback_;
   Keys keys_;
   OverlapOffer overlap_;
@@ -139,7 +141,7 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&, Restriction&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

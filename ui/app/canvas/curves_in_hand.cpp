@@ -8,6 +8,7 @@
 #include "core/articulation/edit.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
+#include "ui/app/canvas/place_under.h"
 #include "ui/app/view/shown_features.h"
 #include "ui/app/view/user_messages.h"
 
@@ -47,6 +48,7 @@ void CurvesInHand::forget() {
   lit_.reset();
   target_.reset();
   control_target_.reset();
+  place_.reset();
   parts_.panels.curve_menu.reset();
   parts_.panels.feature_menu.reset();
 }
@@ -81,6 +83,7 @@ void CurvesInHand::press(PxPoint at) {
   parts_.panels.feature_menu.reset();
   pressed_ = at;
   touches_ = true;
+  if (parts_.tool.now().pulls) return take_place(at);
   named_ = name_at(at);
   if (named_ && parts_.tool.now().selects) return;
   if (parts_.tool.now().selects) select_at(at);
@@ -173,8 +176,35 @@ void CurvesInHand::select_control_at(PxPoint at) {
   }
 }
 
+void CurvesInHand::take_place(PxPoint at) {
+  named_.reset();
+  touched_.reset();
+  target_.reset();
+  control_target_.reset();
+  place_.reset();
+  parts_.performer.ready();
+  lit_ = curve_near(parts_.editing, parts_.canvas.surface(), at, k_touched_px * parts_.canvas.scale());
+  const auto* curve = lit_ ? document::find_curve(parts_.editing.document(), *lit_) : nullptr;
+  if (curve != nullptr && curve->target) {
+    target_.emplace(*lit_, at);
+    hold_line(curve->target->points, at);
+    return;
+  }
+  const auto found =
+      place_under(parts_.editing, parts_.canvas.surface(), parts_.canvas.view(), at, 0.5 * parts_.canvas.target_px());
+  if (!found) return parts_.notices.tell("There is nothing under the pen: press on the face and pull");
+  if (parts_.editing.shown().hold_place(found->place)) {
+    place_ = at;
+    return;
+  }
+  const std::string only = parts_.restriction.words();
+  parts_.notices.tell(only.empty() ? "Nothing moves here: pull a brow, a lid, the mouth or the jaw"
+                                   : "Nothing that may move is here (" + only + "): pull there, or free all controls");
+}
+
 void CurvesInHand::move(PxPoint at) {
   parts_.tool.move(at);
+  if (place_) return parts_.editing.shown().pull_place(at - *place_);
   touches_ = touches_ && !is_far(at - pressed_);
   if (control_target_) parts_.editing.shown().hold_control_target(control_pull(at));
   if (!target_) return;
@@ -185,6 +215,8 @@ void CurvesInHand::move(PxPoint at) {
 void CurvesInHand::end_performance() {
   if (!parts_.performer.end()) parts_.notices.tell("the take moved nothing: nothing is keyed");
   target_.reset();
+  place_.reset();
+  parts_.editing.shown().let_place_go();
   parts_.editing.shown().hold_target(std::nullopt);
   touched_.reset();
 }
@@ -205,7 +237,8 @@ std::optional<std::string> CurvesInHand::feature_at(PxPoint at) const {
   for (const auto& [name, area] : parts_.panels.feature_labels) {
     if (area.holds(at)) return name;
   }
-  const bool all = parts_.features.shown() || parts_.tool.now().kind == drawing::ToolKind::feature;
+  const bool all =
+      parts_.features.shown() || parts_.tool.now().kind == drawing::ToolKind::feature || parts_.tool.now().selects;
   if (!all || !parts_.panels.shown) return std::nullopt;
   return shown_feature_near(parts_.editing, parts_.canvas.surface(), at, k_lit_px * parts_.canvas.scale());
 }
@@ -214,7 +247,7 @@ void CurvesInHand::release(PxPoint at) {
   parts_.tool.release();
   parts_.controls.show_new();
   parts_.controls.lent().release();
-  if (take_feature(at)) return;
+  if (!parts_.tool.now().pulls && take_feature(at)) return;
   // A line may begin at a name; a touch of it is no line.
   if (const auto named = std::exchange(named_, std::nullopt); named && !is_far(at - pressed_)) {
     parts_.notices.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
@@ -229,6 +262,7 @@ void CurvesInHand::release(PxPoint at) {
     return;
   }
   if (parts_.performer.performing()) return end_performance();
+  if (std::exchange(place_, std::nullopt)) return parts_.editing.shown().let_place_go();
   if (target_) {
     const auto [id, from] = *std::exchange(target_, std::nullopt);
     parts_.editing.shown().hold_target(std::nullopt);

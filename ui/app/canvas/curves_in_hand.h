@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/app/controls/controls.h"
+#include "ui/app/controls/restriction.h"
 #include "ui/app/face/kept_features.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/tools/tool_in_hand.h"
@@ -25,6 +26,7 @@ class CurvesInHand {
     Notices& notices;
     ToolInHand& tool;
     const KeptFeatures& features;
+    const Restriction& restriction;
   };
   explicit CurvesInHand(const Parts& parts) : parts_(parts) {}
 
@@ -58,6 +60,8 @@ class CurvesInHand {
   [[nodiscard]] std::optional<document::PullBetween> control_pull(PxPoint at) const;
   void hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at);
   [[nodiscard]] bool is_far(PxPoint by) const;
+  /// What is under the pen is pulled from now on: a target that was drawn, else any place of the model.
+  void take_place(PxPoint at);
   void end_performance();
 
   Parts parts_;
@@ -67,6 +71,7 @@ class CurvesInHand {
   /// A target of the chosen control in hand: its value, and where it was taken.
   std::optional<std::pair<double, PxPoint>> control_target_;
   bool whole_ = false;
+  std::optional<PxPoint> place_;  ///< where a place of the model was taken, to be pulled
   PxPoint pressed_;
   bool touches_ = true;                       ///< the pen has stayed where it was pressed
   std::optional<document::CurveId> named_;    ///< the name of this line of the face was pressed

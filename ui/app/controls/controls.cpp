@@ -22,6 +22,9 @@ std::string free_name(const document::Document& document, const std::string& nam
   }
 }
 
+/// The value at which a sketched control has its target.
+double target_value(const rig::Parameter& parameter) { return std::clamp(1.0, parameter.minimum, parameter.maximum); }
+
 }  // namespace
 
 Controls::Controls(EditingSession& editing, Notices& notices, Canvas& canvas, PanelState& panels)
@@ -29,6 +32,7 @@ Controls::Controls(EditingSession& editing, Notices& notices, Canvas& canvas, Pa
 
 void Controls::open_document() {
   lent_.forget();
+  trial_.clear();
   selected_.clear();
   new_surface_ = {};
   const auto& deformers = editing_.document().model->deformers;
@@ -169,8 +173,13 @@ void Controls::show_new() {
   if (count == deformer_count_ + 1 && !editing_.document().pending) {
     selected_ = deformers->deformers().back()->sketch().name;
     panels_.controls_tab = true;
-    notices_.tell(selected_ + " is ready: its slider is in the panel");
+    notices_.tell(selected_ + " is ready and seen at its target: its slider is in the panel");
     for (const std::string& doubt : articulation::doubts_of(*deformers->deformers().back())) notices_.tell(doubt);
+    const auto parameters = editing_.document().model->rig->parameters();
+    if (const auto number = rig::find_parameter(parameters, selected_)) {
+      preview_parameter(*number, target_value(parameters[*number]));
+      trial_ = selected_;
+    }
   }
   deformer_count_ = count;
   const auto& corrections = editing_.document().model->corrections;
@@ -181,6 +190,28 @@ void Controls::show_new() {
     for (const std::string& doubt : articulation::doubts_of(*one.deformer)) notices_.tell(doubt);
   }
   correction_count_ = corrected;
+}
+
+const std::string* Controls::trial() const {
+  if (trial_.empty() || !editing_.shown().previews() || swings_) return nullptr;
+  const auto parameters = editing_.document().model->rig->parameters();
+  const auto number = rig::find_parameter(parameters, trial_);
+  const rig::Pose& shown = editing_.shown().pose();
+  const bool seen = number && *number < shown.size() && shown[*number] == target_value(parameters[*number]) &&
+                    editing_.document().pose[*number] == parameters[*number].rest;
+  return seen ? &trial_ : nullptr;
+}
+
+void Controls::end_trial() {
+  if (trial() != nullptr) editing_.shown().preview(std::nullopt);
+  trial_.clear();
+}
+
+void Controls::take_trial() {
+  const auto parameters = editing_.document().model->rig->parameters();
+  const auto number = trial() != nullptr ? rig::find_parameter(parameters, trial_) : std::nullopt;
+  trial_.clear();
+  if (number) set_parameter(*number, target_value(parameters[*number]));
 }
 
 void Controls::tell_new_doubts() {

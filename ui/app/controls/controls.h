@@ -55,8 +55,15 @@ class Controls {
   /// Swings to a moment of the clock, microseconds.
   void swing(std::int64_t now_us);
 
-  /// Selects a control that was just made, and says so.
+  /// Selects a control that was just made, and says so. The face shows it at its target (trial).
   void show_new();
+  /// The control that was just made and is seen at its target, while its value is still at rest: until a line is drawn
+  /// or something else is shown; null: none.
+  [[nodiscard]] const std::string* trial() const;
+  /// Shows it at rest again.
+  void end_trial();
+  /// Leaves it at its target, as a step.
+  void take_trial();
   /// Says what is doubtful of a control that was changed and was not before.
   void tell_new_doubts();
   /// Says so before the target is drawn where the feature that was found may not be the one that is meant.
@@ -74,6 +81,7 @@ class Controls {
   articulation::Mode new_mode_ = articulation::Mode::automatic;
   articulation::Surface new_surface_;
   bool swings_ = false;
+  std::string trial_;                                       ///< the control that is seen at its target; empty: none
   std::shared_ptr<const document::PendingSketch> doubted_;  ///< whose feature that was said of
   std::size_t deformer_count_ = 0;                          ///< to tell a new one
   std::size_t correction_count_ = 0;                        ///< likewise

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/articulation/mirror.h"
-
 namespace penpose::app {
 namespace {
 
@@ -16,10 +14,6 @@ constexpr double k_moved_pair = 1e-6;
 
 double range_of(const rig::Parameter& parameter) { return std::max(1e-12, parameter.maximum - parameter.minimum); }
 
-double fitted(const rig::Parameter& parameter, double value) {
-  return std::clamp(value, parameter.minimum, parameter.maximum);
-}
-
 /// The word of a side at the beginning of what differs between two names.
 std::size_t side_word(std::string_view text) {
   for (const std::string_view word : {"left", "right", "Left", "Right", "LEFT", "RIGHT"}) {
@@ -29,22 +23,6 @@ std::size_t side_word(std::string_view text) {
 }
 
 }  // namespace
-
-std::vector<std::size_t> side_pairs(std::span<const rig::Parameter> parameters) {
-  std::vector<std::size_t> pairs(parameters.size(), k_no_pair);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (pairs[i] != k_no_pair) continue;
-    const auto other = rig::find_parameter(parameters, articulation::mirrored_name(parameters[i].name));
-    // Both name each other, or there would be three of a pair.
-    if (!other || *other == i || pairs[*other] != k_no_pair ||
-        articulation::mirrored_name(parameters[*other].name) != parameters[i].name) {
-      continue;
-    }
-    pairs[i] = *other;
-    pairs[*other] = i;
-  }
-  return pairs;
-}
 
 std::vector<std::size_t> two_sided(std::vector<std::size_t> pairs, std::span<const std::size_t> partner) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -71,21 +49,12 @@ bool is_left(const std::string& name, const std::string& other) {
   return differs.first != name.end() && (*differs.first == 'l' || *differs.first == 'L');
 }
 
-rig::Pose flipped(std::span<const rig::Parameter> parameters, std::span<const std::size_t> pairs, const rig::Pose& pose,
-                  std::size_t count) {
-  rig::Pose out = pose;
-  for (std::size_t i = 0; i < std::min(count, pose.size()); ++i) {
-    if (pairs[i] != k_no_pair) out[i] = fitted(parameters[i], pose[pairs[i]]);
-  }
-  return out;
-}
-
 rig::Pose copied_over(std::span<const rig::Parameter> parameters, std::span<const std::size_t> pairs,
                       const rig::Pose& pose, std::size_t count, bool from_left) {
   rig::Pose out = pose;
   for (std::size_t i = 0; i < std::min(count, pose.size()); ++i) {
     if (pairs[i] == k_no_pair || is_left(parameters[i].name, parameters[pairs[i]].name) == from_left) continue;
-    out[i] = fitted(parameters[i], pose[pairs[i]]);
+    out[i] = poses::fitted(parameters[i], pose[pairs[i]]);
   }
   return out;
 }
@@ -110,7 +79,7 @@ std::optional<rig::Pose> on_both_sides(std::span<const rig::Parameter> parameter
     const std::size_t from = pairs[i];
     // Only what was drawn: the rest of a face need not be symmetric.
     if (std::abs(now[from] - before[from]) < k_moved_pair * range_of(parameters[from])) continue;
-    out[i] = fitted(parameters[i], now[from]);
+    out[i] = poses::fitted(parameters[i], now[from]);
     differs = differs || out[i] != now[i];
   }
   if (!differs) return std::nullopt;

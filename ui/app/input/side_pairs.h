@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "core/document/commands/command.h"
+#include "core/poses/sides.h"
 #include "core/rig/rig.h"
 
 namespace penpose::app {
 
 // Controls that come in two, one a side: by their names (browDown_L and browDown_R, jawLeft and jawRight).
 
-inline constexpr std::size_t k_no_pair = static_cast<std::size_t>(-1);
+using poses::flipped;
+using poses::k_no_pair;
+using poses::side_pairs;
 
-/// For each parameter the one of the other side, or k_no_pair.
-[[nodiscard]] std::vector<std::size_t> side_pairs(std::span<const rig::Parameter> parameters);
 /// Those of the pairs that do the same on two sides, as a measured model says (intent::WholeModel::partner); jawLeft
 /// and jawRight do not.
 [[nodiscard]] std::vector<std::size_t> two_sided(std::vector<std::size_t> pairs, std::span<const std::size_t> partner);
@@ -25,10 +26,6 @@ inline constexpr std::size_t k_no_pair = static_cast<std::size_t>(-1);
 /// Whether a name is that of the left side. Precondition: it has a side.
 [[nodiscard]] bool is_left(const std::string& name, const std::string& other);
 
-/// The pose with both sides exchanged. What the other side cannot do is as much as it can. `count`: parameters from
-/// there on are joints', whose sides turn in ways of their own, and stay.
-[[nodiscard]] rig::Pose flipped(std::span<const rig::Parameter> parameters, std::span<const std::size_t> pairs,
-                                const rig::Pose& pose, std::size_t count);
 /// One side's values on both.
 [[nodiscard]] rig::Pose copied_over(std::span<const rig::Parameter> parameters, std::span<const std::size_t> pairs,
                                     const rig::Pose& pose, std::size_t count, bool from_left);

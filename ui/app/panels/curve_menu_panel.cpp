@@ -2,6 +2,8 @@
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
+#include "ui/app/controls/meant_controls.h"
+#include "ui/app/controls/restriction.h"
 #include "ui/app/face/feature_words.h"
 #include "ui/app/panels/face/face_readings_row.h"
 #include "ui/app/panels/face/menu_place.h"
@@ -34,9 +36,19 @@ void show_feature_rows(PanelContext& context, PanelState& panels, const document
   panels.feature_menu = FeatureMenu{{}, line.id, {}, {}, at};
 }
 
+/// Which controls lines may move from now on: those of the part that the line is of.
+bool show_only_part(PanelContext& context, EditingSession& editing, PanelState& panels, Restriction& restriction,
+                    FacePart part, float width) {
+  const std::string label = "Only " + words_of_part(part) + "##face";
+  if (!wide_button(context, label.c_str(), width, false, "Lines and pulls move nothing else")) return false;
+  const MeantControls meant = controls_of_part(editing, panels.own.of<ControlParts>(), part);
+  restriction.only(meant.names, meant.words);
+  return true;
+}
+
 /// What a line of the face may be.
 void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas& canvas, PanelState& panels,
-                    ReadingOffer& offer, const document::FaceLine& line, PxPoint at) {
+                    ReadingOffer& offer, Restriction& restriction, const document::FaceLine& line, PxPoint at) {
   const std::vector<std::string> names = names_of(editing.features());
   const document::CurveId id = line.id;
   const std::string feature = line.feature;
@@ -44,7 +56,8 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
   const double wide = 2 * static_cast<double>(width) + 3 * static_cast<double>(context.gap);
   const bool others = offer.open() && offer.face_line() == id;
   const auto pictures = face_readings_size(context, offer, static_cast<float>(wide));
-  const double rows = static_cast<double>((names.size() + 1) / 2 + 3) +
+  const auto part = poses::part_of_feature(feature);
+  const double rows = static_cast<double>((names.size() + 1) / 2 + 3 + (part ? 1 : 0)) +
                       (others ? static_cast<double>(pictures.height / context.unit) : 0.0);
   std::optional<document::Command> chosen;
   bool taken = false;
@@ -65,6 +78,7 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
     ImGui::SameLine();
     if (wide_button(context, "Close##face", width)) panels.curve_menu.reset();
     show_feature_rows(context, panels, line, at, width, chosen);
+    if (part) taken = show_only_part(context, editing, panels, restriction, *part, width) || taken;
   }
   end_panel();
   if (chosen) editing.perform(*chosen);
@@ -74,12 +88,12 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
 }  // namespace
 
 void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
-                     Controls& controls, ReadingOffer& offer, PanelState& panels) {
+                     Controls& controls, ReadingOffer& offer, PanelState& panels, Restriction& restriction) {
   const auto chosen = panels.curve_menu;
   if (const auto* line = chosen ? document::find_face_line(editing.document(), chosen->first) : nullptr) {
     // A copy: what is chosen changes the document.
     const document::FaceLine shown = *line;
-    show_face_menu(context, editing, canvas, panels, offer, shown, chosen->second);
+    show_face_menu(context, editing, canvas, panels, offer, restriction, shown, chosen->second);
     return;
   }
   const auto* curve = chosen ? document::find_curve(editing.document(), chosen->first) : nullptr;

@@ -21,11 +21,14 @@ void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, 
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_feature_names(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
-void show_feature_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
-void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, ReadingOffer&, PanelState&);
+void show_feature_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&, Restriction&);
+void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, ReadingOffer&, PanelState&,
+                     Restriction&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
 void show_overlap(PanelContext&, const Area&, EditingSession&, Canvas&, OverlapOffer&);
 void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&, PanelState&);
+void show_canvas_chips(PanelContext&, const Area&, EditingSession&, Playback&, Performer&, ToolInHand&, Controls&,
+                       Restriction&);
 void show_film(PanelContext&, const Area&, Canvas&, FilmWriter&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
@@ -66,6 +69,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_axes>},
     PanelRow{PanelPlace::canvas, show<show_face_labels>},
     PanelRow{PanelPlace::canvas, show<show_feature_names>},
+    PanelRow{PanelPlace::canvas, show<show_canvas_chips>},
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
     PanelRow{PanelPlace::canvas, show<show_feature_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},

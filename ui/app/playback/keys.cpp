@@ -6,6 +6,7 @@
 
 #include "core/document/time/timeline_editing.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/playback/sheet/mirrored_keys.h"
 
 namespace penpose::app {
 namespace {
@@ -201,6 +202,23 @@ void Keys::copy() {
 void Keys::paste() {
   if (!clipboard_) return notices_.tell("there is no pose to paste: copy one first");
   paste_pose(editing_, *clipboard_, playback_.time_s());
+}
+
+void Keys::paste_mirrored() {
+  if (!clipboard_) return notices_.tell("there is no pose to paste: copy one first");
+  paste_pose(editing_, mirrored(editing_.document(), *clipboard_), playback_.time_s());
+}
+
+void Keys::mirror() {
+  const document::Document& document = editing_.document();
+  const auto exchanged = mirrored_keys(document, any_meant() ? meant() : document::OfKeys{});
+  if (exchanged.empty()) return notices_.tell("both sides are the same: nothing to exchange");
+  bool first = true;
+  for (const document::Command& one : exchanged) {
+    if (!(first ? editing_.perform(one) : editing_.perform_with(one))) return;
+    first = false;
+  }
+  show_again();
 }
 
 const document::PoseKey* Keys::find(double time_s) const {

@@ -31,6 +31,10 @@ class Keys {
   void move(double from_s, double to_s);
   void copy();
   void paste();
+  /// Keys the copied pose with left and right exchanged.
+  void paste_mirrored();
+  /// Exchanges left and right of those that are meant. A control of the other side that has no key there gets one.
+  void mirror();
   [[nodiscard]] bool copied() const { return clipboard_.has_value(); }
 
   /// Keys that the document no longer has are not among them.

@@ -47,6 +47,8 @@ rig::Pose Performance::over(rig::Pose background, const rig::Pose& pen) const {
   return background;
 }
 
+double Performance::first_s() const { return time_of_frame(frames_.begin()->first, rate_); }
+
 double Performance::last_s() const { return time_of_frame(frames_.rbegin()->first, rate_); }
 
 template <class Value>

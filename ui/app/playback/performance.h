@@ -26,6 +26,8 @@ class Performance {
 
   /// The frames that were recorded.
   [[nodiscard]] std::size_t frame_count() const { return frames_.size(); }
+  /// The moment of the first one. Precondition: there is one.
+  [[nodiscard]] double first_s() const;
   /// The moment of the last one. Precondition: there is one.
   [[nodiscard]] double last_s() const;
   /// What was recorded; nothing where the pen moved nothing. `now`: controls that are not as they were before are keyed

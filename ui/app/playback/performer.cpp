@@ -37,6 +37,44 @@ void Performer::begin(std::int64_t now_us) {
   from_us_ = now_us;
 }
 
+void Performer::ready() {
+  take_.reset();
+  if (!playback_.playing() && !playback_.scrubs()) return;
+  playback_.stop();
+  playback_.end_scrub();
+}
+
+const Take* Performer::take() const {
+  if (!take_ || performing() || take_->timeline != editing_.document().timeline) return nullptr;
+  const std::size_t done = editing_.editor().history().undo_count();
+  return done - editing_.steps().can_undo() == take_->steps ? &*take_ : nullptr;
+}
+
+void Performer::again() {
+  const Take* done = take();
+  if (done == nullptr) return;
+  const double from_s = done->from_s;
+  playback_.stop();
+  playback_.undo();
+  take_.reset();
+  playback_.place_cursor(from_s);
+}
+
+void Performer::keep() {
+  const Take* done = take();
+  if (done == nullptr) return;
+  const double from_s = done->from_s;
+  take_.reset();
+  playback_.go_to(from_s);
+}
+
+void Performer::review() {
+  const Take* done = take();
+  if (done == nullptr) return;
+  playback_.go_to(done->from_s);
+  playback_.play_or_stop();
+}
+
 double Performer::drawn_px() const {
   const replay::DrawnStroke* stroke = editing_.session().pens().current();
   if (stroke == nullptr || stroke->samples.size() < 2) return 0;
@@ -85,10 +123,11 @@ bool Performer::end() {
       thinned(document, *all, *editing_.shown().whole_model().fields, editing_.editor().view());
   if (!(drawn ? editing_.perform_with(keys) : editing_.perform(keys))) return true;
   editing_.perform_with(document::GoToTime{playback_.time_s()});
+  take_ = Take{performance.first_s(), performance.last_s(), performance.frame_count(),
+               keys.times_s.size(),   document.timeline,    steps_};
   const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed with " +
                             std::to_string(keys.times_s.size()) + " keys: " + listed(keys.names);
   editing_.last_stroke().say(keyed);
-  notices_.tell(keyed + "; Undo takes the take back");
   return true;
 }
 

@@ -21,6 +21,7 @@ Playback::Playback(Clock clock, EditingSession& editing, Notices& notices, Prefe
 void Playback::begin() {
   playing_ = scrubs_ = false;
   carries_ = true;
+  while_drawing_.performs = false;
   time_s_ = editing_.document().time_s;
   std::vector<double> moments;
   for (const auto& key : editing_.document().timeline->keys) moments.push_back(key.time_s);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/poses/sides.h"
+
 namespace penpose::app {
 
 PoseClipboard copied_pose(const document::Document& document, double time_s) {
@@ -26,6 +28,10 @@ document::SetParameters pasted_values(const document::Document& document, const 
     if (fitted != document.pose[*index]) command.values.push_back({name, fitted});
   }
   return command;
+}
+
+PoseClipboard mirrored(const document::Document& document, const PoseClipboard& clipboard) {
+  return {poses::shared_values(*document.model, document.pose, clipboard.values, {.mirrored = true}), clipboard.name};
 }
 
 void paste_pose(EditingSession& editing, const PoseClipboard& clipboard, double time_s) {

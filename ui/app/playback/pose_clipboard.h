@@ -20,6 +20,8 @@ struct PoseClipboard {
 [[nodiscard]] PoseClipboard copied_pose(const document::Document& document, double time_s);
 /// The values of the clipboard that a document's model has and that differ from its pose, within their ranges.
 [[nodiscard]] document::SetParameters pasted_values(const document::Document& document, const PoseClipboard& clipboard);
+/// The same pose with left and right exchanged, for a document's model; where the model has no such controls it stays.
+[[nodiscard]] PoseClipboard mirrored(const document::Document& document, const PoseClipboard& clipboard);
 /// Keys it at a moment, in one step.
 void paste_pose(EditingSession& editing, const PoseClipboard& clipboard, double time_s);
 

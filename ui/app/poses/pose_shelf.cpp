@@ -179,22 +179,8 @@ document::SetParameters PoseShelf::values_of(const poses::TakenPose& taken, cons
                                              const rig::Pose& from) const {
   const document::Model& model = *editing_.document().model;
   const auto parameters = model.rig->parameters();
-  rig::Pose to = poses::with_values(*model.rig, from, taken.values);
-  if (choice.mirrored) {
-    // What is taken goes to the other side; what is not taken stays on its own.
-    const auto pairs = side_pairs(parameters);
-    const rig::Pose turned = flipped(parameters, pairs, to, document::weight_count(model));
-    rig::Pose mirrored = from;
-    for (const auto& one : taken.values) {
-      const auto i = rig::find_parameter(parameters, one.name);
-      if (!i) continue;
-      mirrored[*i] = turned[*i];
-      if (pairs[*i] != k_no_pair) mirrored[pairs[*i]] = turned[pairs[*i]];
-    }
-    to = std::move(mirrored);
-  }
-  for (std::size_t i = 0; i < to.size(); ++i)
-    to[i] = std::clamp(from[i] + choice.amount * (to[i] - from[i]), parameters[i].minimum, parameters[i].maximum);
+  const auto shared = poses::shared_values(model, from, taken.values, {choice.mirrored, choice.amount});
+  const rig::Pose to = poses::with_values(*model.rig, from, shared);
   return values_between(parameters, editing_.document().pose, to);
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/document/commands/apply.h"
+#include "core/document/drawing/pose_problem.h"
 #include "core/document/drawing/pulled_target.h"
 #include "core/document/drawing/target_line.h"
 #include "core/drawing/live_target.h"
@@ -81,6 +82,37 @@ void LiveFollow::begin_drag(const document::Document& document, document::CurveI
   pulled_->points = reference_;
   pulled_->line = std::move(seen);
   pulled_->view = view;
+}
+
+bool LiveFollow::begin_pull(const document::Document& document, const document::View& view, const PulledPlace& place) {
+  end();
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera || place.points.size() < 2) return false;
+  document::Document held = document;
+  std::erase_if(held.curves, [](const auto& one) { return one->role != document::PoseCurveRole::constraint; });
+  intent::IntentProblem problem = document::intent_problem(held);
+  // Whatever is free takes the pull: a string goes on where a control that is locked would have led.
+  problem.locked.clear();
+  intent::DrawnCurve curve{place.points, *camera, {{0, 0}, {1, 0}}, document::hand_px(document, view.viewport), {}};
+  document::DrawnTarget is{view, {}, {}, intent::reference_at(*document.model->rig, document.pose, curve), {}};
+  for (const geometry::ModelPoint& point : is.points) {
+    const auto px = camera->project(point);
+    if (!px) return false;
+    is.line.push_back(*px);
+    is.pressure.push_back(1);
+  }
+  problem.drawn.insert(problem.drawn.begin(), std::move(curve));
+  auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), std::move(problem));
+  if (!poser || poser->variables() == 0) return false;
+  model_ = document.model;
+  view_ = view;
+  reference_ = is.points;
+  whole_ = is;
+  pull_ = place.hold;
+  pulled_ = std::move(is);
+  string_ = true;
+  poser_.emplace(std::move(*poser));
+  return true;
 }
 
 bool LiveFollow::pull_string(curve::PxPoint by) {

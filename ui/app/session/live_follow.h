@@ -9,6 +9,7 @@
 #include "core/document/document.h"
 #include "core/drawing/tool.h"
 #include "core/intent/live.h"
+#include "core/posing/problem.h"
 
 namespace penpose::app {
 
@@ -16,6 +17,12 @@ namespace penpose::app {
 struct PullHold {
   curve::PxPoint at;
   double reach = curve::k_usual_reach;
+};
+
+/// What of the model is pulled without any line drawn along it.
+struct PulledPlace {
+  std::vector<posing::CurvePoint> points;  ///< at least two, in order along a line of the model
+  PullHold hold;
 };
 
 /// What the face does while a stroke is being drawn: a preview alone, made anew for every stroke; the command that the
@@ -31,6 +38,9 @@ class LiveFollow {
   /// pulled from where the face has it, and its controls follow from the first px on.
   void begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
                   const std::optional<PullHold>& pull = std::nullopt, bool string = false);
+  /// A place of the model is taken in hand, to be pulled as by a string. Drawn lines do not hold it back, constraints
+  /// do; what is locked is as if it were not there. False: no free control moves it.
+  bool begin_pull(const document::Document& document, const document::View& view, const PulledPlace& place);
   /// How far it was moved since, px of that view.
   bool drag(curve::PxPoint by);
   void end();

@@ -31,6 +31,21 @@ void ShownPose::hold_target(std::optional<document::CurveId> curve, geometry::Px
   mirrored_.reset();
 }
 
+bool ShownPose::hold_place(const PulledPlace& place) {
+  preview_.reset();
+  if (!follow_.begin_pull(editing_.document(), editing_.editor().view(), place)) return false;
+  placed_by_.emplace();
+  followed_by_ = {};
+  return true;
+}
+
+void ShownPose::let_place_go() {
+  if (!placed_by_) return;
+  placed_by_.reset();
+  follow_.end();
+  mirrored_.reset();
+}
+
 void ShownPose::hold_control_target(std::optional<document::PullBetween> pull) {
   if (held_control_ == pull) return;
   if (!pull) sketch_.end();
@@ -60,6 +75,13 @@ void ShownPose::follow_stroke() {
     // What is performed settles where the pen rests.
     if (staged_ || !(followed_by_ == held_by_)) follow_.drag(held_by_);
     followed_by_ = held_by_;
+    return;
+  }
+  if (placed_by_) {
+    // What is performed settles where the pen rests; before the pen has moved nothing does.
+    const bool moved = !(followed_by_ == *placed_by_);
+    if (moved || (staged_ && !(*placed_by_ == geometry::PxPoint{}))) follow_.drag(*placed_by_);
+    followed_by_ = *placed_by_;
     return;
   }
   if (held_control_) {
@@ -110,6 +132,7 @@ void ShownPose::forget() {
   mirrored_.reset();
   held_.reset();
   held_control_.reset();
+  placed_by_.reset();
   stroke_seen_ = false;
 }
 

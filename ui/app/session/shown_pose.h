@@ -30,6 +30,12 @@ class ShownPose {
   /// Takes a target in hand, moved by px of the view as it is: the face follows. Nothing: it is let go.
   void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {},
                    const std::optional<PullHold>& pull = std::nullopt);
+  /// Takes a place of the model in hand, to be pulled by px of the view as it is: the face follows. False: nothing that
+  /// is free moves it, or it is not seen.
+  bool hold_place(const PulledPlace& place);
+  /// How far it is pulled by now. Precondition: it is held.
+  void pull_place(geometry::PxPoint by) { placed_by_ = by; }
+  void let_place_go();
   /// Takes a control's target in hand, pulled so far; nothing: it is let go. The face follows with follow_pen.
   void hold_control_target(std::optional<document::PullBetween> pull);
   /// Brings the pose up to the pen. Call it after a batch of reports, at the latest for every frame.
@@ -78,6 +84,7 @@ class ShownPose {
   std::optional<PullHold> held_pull_;
   std::optional<document::PullBetween> held_control_;
   bool control_shown_ = false;
+  std::optional<geometry::PxPoint> placed_by_;  ///< how far a place of the model is pulled; nothing: none is held
   geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
 };

@@ -18,6 +18,7 @@ WindowTool arc_tool() {
             return "begin on a frame of an arc and end on another one of it";
           },
           .shows_arcs = true,
+          .performs = true,
           .means = [](const ToolLine& line) -> std::optional<document::Command> {
             const auto command = arc_meant(line.document, line.arcs, line.view, line.points, line.shares, line.paced,
                                            line.rate, line.within_px);

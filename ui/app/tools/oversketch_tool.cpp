@@ -22,7 +22,8 @@ WindowTool oversketch_tool() {
           .hint = [](const ToolSight&) -> std::string {
             return "Draw over the part of the last target that should change";
           },
-          .to_draw = oversketch_to_draw};
+          .to_draw = oversketch_to_draw,
+          .performs = true};
 }
 
 }  // namespace penpose::app

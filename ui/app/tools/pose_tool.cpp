@@ -23,7 +23,8 @@ WindowTool pose_tool() {
           .button = {"tool_pose", "Pose", "Draw where a feature is, then where it should go",
                      "M3 16L8 11L12 15L21 7M16 6L21 7L20 12", plain_key('b'), plain_key('p')},
           .hint = pose_hint,
-          .to_draw = pose_to_draw};
+          .to_draw = pose_to_draw,
+          .performs = true};
 }
 
 }  // namespace penpose::app

@@ -89,6 +89,8 @@ struct WindowTool {
   bool shows_ghosts = false;  ///< lines at the neighbouring keys, which are drawn on
   bool erases = false;        ///< its line is broad and pale
   bool selects = false;       ///< curves, targets and controls can be taken in hand
+  bool pulls = false;         ///< what is under the pen is pulled, and what the face does is recorded
+  bool performs = false;      ///< it goes on with Perform; taking any other tool ends that
 
   /// The tool is taken in hand.
   void (*taken)(ToolHand& hand) = nullptr;

@@ -22,6 +22,8 @@ const WindowTool& ToolInHand::now() const {
 }
 
 void ToolInHand::take(const WindowTool& tool) {
+  if (!tool.performs) parts_.playback.while_drawing().performs = false;
+  if (tool.pulls && !now().pulls) before_ = &now();
   chosen_ = &tool;
   drawing::Tool drawn;
   drawn.kind = tool.kind;
@@ -33,6 +35,21 @@ void ToolInHand::take(const WindowTool& tool) {
   if (tool.kind != drawing::ToolKind::none) parts_.panels.controls_tab = false;
   ToolHand hand{parts_.editing, parts_.controls, parts_.panels};
   if (tool.taken != nullptr) tool.taken(hand);
+}
+
+void ToolInHand::perform_or_end() {
+  if (parts_.performer.performing()) return;
+  bool& performs = parts_.playback.while_drawing().performs;
+  const WindowTool& tool = now();
+  if (std::exchange(performs, !performs)) {
+    if (tool.pulls && before_ != nullptr) take(*before_);
+    return;
+  }
+  // A path of time is redrawn at the pen's pace, and a target is drawn so.
+  const bool draws = tool.kind == drawing::ToolKind::pose && document::waiting_reference(parts_.editing.document());
+  if (tool.shows_arcs || draws) return;
+  const auto tools = window_tools();
+  take(*std::find_if(tools.begin(), tools.end(), [](const WindowTool& one) { return one.pulls; }));
 }
 
 std::string ToolInHand::hint() const {

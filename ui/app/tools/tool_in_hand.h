@@ -29,6 +29,9 @@ class ToolInHand {
 
   [[nodiscard]] const WindowTool& now() const;
   void take(const WindowTool& tool);
+  /// Begins to perform, or ends it. A tool that has its own way to perform stays in hand, else what is under the pen is
+  /// pulled; ended, the tool from before is in hand again.
+  void perform_or_end();
   /// Says what to draw next, in one line.
   [[nodiscard]] std::string hint() const;
 
@@ -40,6 +43,7 @@ class ToolInHand {
  private:
   Parts parts_;
   const WindowTool* chosen_ = nullptr;  ///< of those that a session records as none
+  const WindowTool* before_ = nullptr;  ///< that which pulls was taken in hand
   std::vector<PxPoint> line_;
   std::vector<std::int64_t> times_us_;  ///< of its points
   std::uint64_t revision_ = 0;          ///< of the document when it began

@@ -11,7 +11,9 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/features/feature_curves.h"
 #include "core/poses/keep_pose.h"
+#include "core/poses/sides.h"
 #include "core/poses/take_pose.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
@@ -32,6 +34,8 @@ struct PosesArguments {
   std::string take;
   std::string by;
   std::string part = "all";
+  bool mirror = false;
+  double amount = 1;
   std::string out;
   bool json = false;
 };
@@ -133,8 +137,11 @@ int take(const PosesArguments& arguments, document::Document& document) {
   const auto face = face_of(document);
   const poses::TakeOptions options{poses::part_named(arguments.part).value_or(poses::FacePart::all),
                                    poses::way_named(arguments.by)};
-  const auto taken = poses::take_pose(*pose, *document.model, face ? &*face : nullptr, options);
+  auto taken = poses::take_pose(*pose, *document.model, face ? &*face : nullptr, options);
   if (!taken) return files::report(taken.error(), arguments.model);
+  if (arguments.mirror || arguments.amount != 1)
+    taken->values =
+        poses::shared_values(*document.model, document.pose, taken->values, {arguments.mirror, arguments.amount});
   print(*pose, *taken, *document.model->rig, arguments.json);
   if (arguments.out.empty()) return k_success;
   document.pose = poses::with_values(*document.model->rig, document.pose, taken->values);
@@ -177,6 +184,12 @@ void add_options(const Command& command, PosesArguments& arguments) {
   command.add_option("--part", arguments.part, "what of the pose is taken")
       .one_of({"all", "brows", "eyes", "mouth"})
       .show_default();
+  command.add_flag("--mirror", arguments.mirror, "take the pose with left and right exchanged").needs(take);
+  command
+      .add_option("--amount", arguments.amount, "how much of the way from the pose of MODEL to the pose that is taken")
+      .check(number_range(0, 1), "0 to 1")
+      .show_default()
+      .needs(take);
   command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)").needs(take);
   command.add_flag("--json", arguments.json, "print JSON");
 }

@@ -4,6 +4,8 @@
 
 #include "core/document/features/feature_near.h"
 #include "ui/app/canvas/canvas.h"
+#include "ui/app/controls/meant_controls.h"
+#include "ui/app/controls/restriction.h"
 #include "ui/app/face/feature_words.h"
 #include "ui/app/panels/face/line_names.h"
 #include "ui/app/panels/face/menu_place.h"
@@ -49,19 +51,38 @@ std::optional<Command> choose_feature(PanelContext& context, const EditingSessio
   return chosen;
 }
 
+/// Which controls lines may move: those of the part that a feature is of.
+bool show_part_rows(PanelContext& context, EditingSession& editing, PanelState& panels, Restriction& restriction,
+                    FacePart part) {
+  const std::string words = words_of_part(part);
+  const bool only =
+      wide_button(context, ("Only " + words + "##part").c_str(), -1, false, "Lines and pulls move nothing else");
+  const bool without =
+      wide_button(context, ("Not " + words + "##part").c_str(), -1, false, "Lines and pulls move everything else");
+  if (!only && !without) return false;
+  const MeantControls meant = controls_of_part(editing, panels.own.of<ControlParts>(), part);
+  if (only) restriction.only(meant.names, meant.words);
+  if (without) restriction.without(meant.names, meant.words);
+  return true;
+}
+
 /// What can be done with a feature.
-std::optional<Command> change_feature(PanelContext& context, const EditingSession& editing, const Canvas& canvas,
-                                      const FeatureMenu& menu, bool& closes) {
+std::optional<Command> change_feature(PanelContext& context, EditingSession& editing, const Canvas& canvas,
+                                      PanelState& panels, Restriction& restriction, bool& closes) {
+  const FeatureMenu menu = *panels.feature_menu;
+  const auto part = poses::part_of_feature(menu.feature);
   const bool corrected = document::find_correction(*editing.document().model, menu.feature) != nullptr;
   const double wide = 5.0 * static_cast<double>(context.unit);
   std::optional<Command> chosen;
-  if (begin_panel(context, "feature", menu_area(context, canvas, menu.at, wide, corrected ? 3.6 : 2.6))) {
+  if (begin_panel(context, "feature",
+                  menu_area(context, canvas, menu.at, wide, (corrected ? 3.6 : 2.6) + (part ? 2 : 0)))) {
     ImGui::TextUnformatted(feature_words(menu.feature).c_str());
     if (wide_button(context, "No such feature", -1, false, "The face has none there: no line is read as it"))
       chosen = document::PlaceFeature{menu.feature, {}};
     if (corrected && wide_button(context, "As found", -1, false, "Take your correction back"))
       chosen = document::FeatureAsFound{menu.feature};
-    closes = wide_button(context, "Close##feature", -1);
+    const bool restricts = part && show_part_rows(context, editing, panels, restriction, *part);
+    closes = wide_button(context, "Close##feature", -1) || restricts;
   }
   end_panel();
   return chosen;
@@ -125,12 +146,12 @@ void show_feature_names(PanelContext& context, const Area& free, EditingSession&
 }
 
 void show_feature_menu(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
-                       PanelState& panels) {
+                       PanelState& panels, Restriction& restriction) {
   if (!panels.feature_menu) return;
   const FeatureMenu menu = *panels.feature_menu;
   bool closes = false;
   const auto chosen = menu.feature.empty() ? choose_feature(context, editing, canvas, menu, closes)
-                                           : change_feature(context, editing, canvas, menu, closes);
+                                           : change_feature(context, editing, canvas, panels, restriction, closes);
   if (chosen) editing.perform(*chosen);
   if (chosen || closes) panels.feature_menu.reset();
 }
