@@ -3,38 +3,26 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/app/controls/controls.h"
-#include "ui/app/dialogs/dialogs.h"
-#include "ui/app/dialogs/entries.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/session/editing_session.h"
-#include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {
 
-/// What is shown and changed here.
-struct ControlRowsOwners {
-  EditingSession& editing;
-  Controls& controls;
-  Dialogs& dialogs;
+/// In targets of a pen: sliders of a row want so much and take no less, and names want no less.
+constexpr float k_sliders = 5.2F, k_least_sliders = 3.6F, k_least_name = 3;
+
+/// A row while it is shown.
+struct ShownRow {
+  const ControlRow& row;
+  const ControlRowLook& look;
+  const ControlNames& group;
+  const RowOwners& with;
+  ControlNames names;
+  std::string words;
 };
-
-bool is_locked(const ControlRowsOwners& with, const std::string& name) {
-  const auto& locked = with.editing.document().locked;
-  return std::binary_search(locked.begin(), locked.end(), name);
-}
-
-void lock_of(PanelContext& context, const ControlRowsOwners& with, const std::string& name) {
-  const bool locked = is_locked(with, name);
-  if (lock_button(context, ("##lock " + name).c_str(), locked,
-                  locked ? "Locked: neither a stroke nor its slider moves it. Touch to free it"
-                         : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
-    lock_parameters(with.editing, {name}, !locked);
-  }
-}
 
 /// The name in files, after the words where they do not stand on the slider as a whole.
 std::string slider_tip(PanelContext& context, const document::ControlWords& words, const std::string& name,
@@ -45,96 +33,79 @@ std::string slider_tip(PanelContext& context, const document::ControlWords& word
   return shown == text && ImGui::CalcTextSize(text.c_str()).x <= room ? tip : text + "\n" + tip;
 }
 
-void slider_of(PanelContext& context, const ControlRowsOwners& with, std::size_t index, const std::string& shown_name,
+void slider_of(PanelContext& context, const ShownRow& of, std::size_t index, const std::string& shown_name,
                float width) {
+  const RowOwners& with = of.with;
   const document::Document& document = with.editing.document();
   const rig::Parameter parameter = document.model->rig->parameters()[index];
   const rig::Pose& shown = with.editing.shown().pose();
   // While a control is sketched another model may be shown, with another number of parameters.
   double value = index < shown.size() ? shown[index] : document.pose[index];
-  SliderLook look{width, parameter.name, shown_name, parameter.rest, is_locked(with, parameter.name)};
+  SliderLook look{width, parameter.name, shown_name, parameter.rest, is_locked(with.editing, parameter.name)};
+  look.shy = true;
+  look.changes = index < of.look.seen.size() && of.look.seen[index] != value;
   bool released = false;
   ImGui::PushID(static_cast<int>(index));
   if (control_slider(context, "##value", value, parameter.minimum, parameter.maximum, look, released)) {
     with.controls.preview_parameter(index, value);
   }
-  note(context, ("words " + shown_name).c_str());
+  const bool asks = context.long_press && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+  note(context, ("words " + (shown_name.empty() ? with.editing.words()[index].text() : shown_name)).c_str());
   tooltip(context, slider_tip(context, with.editing.words()[index], parameter.name, shown_name, width).c_str());
   if (released) with.controls.set_parameter(index, value);
   ImGui::PopID();
+  if (!asks) return;
+  context.takes_long_press = true;
+  ImGui::OpenPopup("row");
 }
 
-void type_value(const ControlRowsOwners& with, const std::string& name) {
-  with.dialogs.state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
-  with.dialogs.show(Dialog::number);
+/// Whether the pointer hovers over a place of this window.
+bool hovers_over(const PanelContext& context, ImVec2 from, ImVec2 to) {
+  return context.hovers && !context.menu_open && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
 }
 
-void show_one(PanelContext& context, const ControlRowsOwners& with, std::size_t index) {
-  const std::string name = with.editing.document().model->rig->parameters()[index].name;
-  lock_of(context, with, name);
-  ImGui::SameLine();
-  const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  slider_of(context, with, index, with.editing.words()[index].text(), width);
-  ImGui::SameLine();
-  if (quiet_icon(context, ("\u270e##type " + name).c_str(), icon::k_pencil, "Type its value, or change its range"))
-    type_value(with, name);
-  ImGui::SameLine();
-  if (quiet_icon(context, ("\u21ba##reset " + name).c_str(), icon::k_back, "Back to rest")) {
-    with.editing.perform(document::ResetParameters{{name}});
+/// The name in its column. Under the pointer it gives room to what is done to it most.
+void name_of_row(PanelContext& context, const ShownRow& of, const std::string& label) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float wide = of.look.name;
+  const bool hovered = hovers_over(context, from, {from.x + wide, from.y + context.unit});
+  const float room = wide - (hovered ? quick_buttons_width(context, of.with, of.names) : 0);
+  const bool pressed = ImGui::InvisibleButton("##name", {std::max(1.0F, room), context.unit});
+  note(context, ("row " + of.names.front()).c_str());
+  ask_for_menu(context, "row", pressed);
+  tooltip(context, (of.words + "\n" + label + "\nTouch for all that can be done with it").c_str());
+  const std::string shown = fitted_text(of.words, std::max(0.0F, room - context.gap));
+  ImGui::GetWindowDrawList()->AddText({from.x, from.y + 0.5F * (context.unit - ImGui::GetFontSize())},
+                                      ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
+  if (hovered) {
+    ImGui::SameLine(0, 0);
+    show_quick_buttons(context, of.with, of.names, label);
   }
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorScreenPos({from.x + wide, from.y});
 }
 
-/// What is done to a pair besides moving it.
-void pair_menu(PanelContext& context, const ControlRowsOwners& with, const std::string& left,
-               const std::string& right) {
-  const std::string both = common_name(left, right);
-  if (quiet_icon(context, ("more##pair " + both).c_str(), icon::k_more, "Type a value, copy a side, back to rest")) {
-    ImGui::OpenPopup("pair");
-  }
-  if (!begin_menu(context, "pair")) return;
-  const auto parameters = with.editing.document().model->rig->parameters();
-  const rig::Pose pose = with.editing.document().pose;
-  const auto entry = [&](const std::string& label, std::string_view drawn) {
-    const bool pressed = menu_entry(context, label.c_str(), drawn, {}, nullptr);
-    if (pressed) ImGui::CloseCurrentPopup();
-    return pressed;
-  };
-  const auto copy = [&](const std::string& from, const std::string& to) {
-    const auto a = rig::find_parameter(parameters, from);
-    const auto b = rig::find_parameter(parameters, to);
-    if (a && b) with.controls.set_parameter(*b, pose[*a]);
-  };
-  for (const std::string& name : {left, right}) {
-    if (entry("Type " + with.editing.words_of(name) + "##type " + name, icon::k_pencil)) type_value(with, name);
-  }
-  if (entry("Left to right##pair", icon_of(Action::copy_to_right))) copy(left, right);
-  if (entry("Right to left##pair", icon_of(Action::copy_to_left))) copy(right, left);
-  if (entry("Both to rest##pair", icon::k_back)) with.editing.perform(document::ResetParameters{{left, right}});
-  ImGui::EndPopup();
+void show_one(PanelContext& context, const ShownRow& of) {
+  const std::string name = of.names.front();
+  if (of.look.name > 0) name_of_row(context, of, name);
+  slider_of(context, of, of.row.first, of.look.name > 0 ? "" : of.words, ImGui::GetContentRegionAvail().x);
 }
 
-void show_pair(PanelContext& context, const ControlRowsOwners& with, const ControlRow& row) {
-  const auto parameters = with.editing.document().model->rig->parameters();
-  const std::string left = parameters[row.first].name;
-  const std::string right = parameters[row.second].name;
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::PushFont(small_font());
-  const auto words = with.editing.words();
-  const std::string both = words_of_pair(words[row.first], words[row.second]);
-  ImGui::TextUnformatted(fitted_text(both, ImGui::GetContentRegionAvail().x).c_str());
-  tooltip(context, common_name(left, right).c_str());
-  ImGui::PopFont();
-  lock_of(context, with, left);
+void show_pair(PanelContext& context, const ShownRow& of) {
+  const std::string both = common_name(of.names[0], of.names[1]);
+  if (of.look.name > 0) {
+    name_of_row(context, of, both);
+  } else {
+    ImGui::PushFont(small_font());
+    ImGui::TextUnformatted(fitted_text(of.words, ImGui::GetContentRegionAvail().x).c_str());
+    tooltip(context, both.c_str());
+    ImGui::PopFont();
+  }
+  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  slider_of(context, of, of.row.first, "L", width);
+  note(context, ("words " + of.words).c_str());
   ImGui::SameLine();
-  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - 2 * (context.unit + spacing) - spacing);
-  slider_of(context, with, row.first, "L", width);
-  note(context, ("words " + both).c_str());
-  ImGui::SameLine();
-  slider_of(context, with, row.second, "R", width);
-  ImGui::SameLine();
-  lock_of(context, with, right);
-  ImGui::SameLine();
-  pair_menu(context, with, left, right);
+  slider_of(context, of, of.row.second, "R", width);
 }
 
 }  // namespace
@@ -155,15 +126,41 @@ std::vector<ControlRow> control_rows(std::span<const rig::Parameter> parameters,
   return rows;
 }
 
-void show_control_row(PanelContext& context, const ControlRow& row, EditingSession& editing, Controls& controls,
-                      Dialogs& dialogs) {
-  const ControlRowsOwners with{editing, controls, dialogs};
+ControlNames names_in(const ControlRow& row, std::span<const rig::Parameter> parameters) {
+  ControlNames names{parameters[row.first].name};
+  if (row.pair()) names.push_back(parameters[row.second].name);
+  return names;
+}
+
+std::string words_in(const ControlRow& row, std::span<const document::ControlWords> words) {
+  return row.pair() ? words_of_pair(words[row.first], words[row.second]) : words[row.first].text();
+}
+
+float name_column(const PanelContext& context, float room, float longest) {
+  const float wanted = std::max(longest + context.gap, k_least_name * context.unit);
+  const float most = room - std::max(k_least_sliders * context.unit, 0.52F * room);
+  return most < k_least_name * context.unit ? 0 : std::min(wanted, most);
+}
+
+float whole_rows_width(const PanelContext& context, float longest) {
+  return longest + context.gap + std::max(k_sliders * context.unit, longest + context.gap);
+}
+
+void show_control_row(PanelContext& context, const ControlRow& row, const ControlRowLook& look,
+                      const ControlNames& group, const RowOwners& with) {
+  const ShownRow of{row,
+                    look,
+                    group,
+                    with,
+                    names_in(row, with.editing.document().model->rig->parameters()),
+                    words_in(row, with.editing.words())};
   ImGui::PushID(static_cast<int>(row.first));
   if (row.pair()) {
-    show_pair(context, with, row);
+    show_pair(context, of);
   } else {
-    show_one(context, with, row.first);
+    show_one(context, of);
   }
+  show_row_menu(context, with, of.names, group);
   ImGui::PopID();
 }
 

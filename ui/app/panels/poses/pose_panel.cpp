@@ -52,7 +52,7 @@ void show_picture(PanelContext& context, const PosePanelOwners& with, const docu
   const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
   const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
-  const PictureTile tile{width, context.pictures.place_of(with.editing.document(), key, choice.part),
+  const PictureTile tile{width, context.pictures.place_of(with.editing, key.pose, choice.part),
                          label.substr(0, label.find("##")), chosen};
   const bool pressed = picture_tile(context, label.c_str(), tile);
   tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
