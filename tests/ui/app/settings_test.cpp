@@ -15,6 +15,7 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.light = true;
   settings.steps_seen = true;
   settings.pose_first = true;
+  settings.side_closed = true;
   settings.tablet.left_handed = true;
   settings.radial[0] = Action::view_side;
   settings.radial[7] = Action::save_as;

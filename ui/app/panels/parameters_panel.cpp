@@ -33,15 +33,19 @@ struct SidePanelOwners {
 constexpr std::size_t k_many = 6;
 /// Share of its range from which on a control is away from rest.
 constexpr double k_moved_value = 0.005;
+/// A body with more controls is folded at first.
+constexpr std::ptrdiff_t k_large_body = 12;
 /// Px between rows, at scale 1.
 constexpr float k_row_gap = 2;
 
 /// What the list remembers from frame to frame.
 struct ListedRows {
+  std::shared_ptr<const mesh::TriangleMesh> mesh;
   std::shared_ptr<const rig::CharacterRig> rig;
   std::vector<double> seen;       ///< values of the frame before
   std::vector<ControlRow> moved;  ///< rows of the group "Moved"
   float scrolled_for = 0;         ///< px by which the list was scrolled so that rows stay under the pointer
+  float scrolled_to = 0;          ///< and where it then was
   float longest = 0;              ///< the widest name, px
   float measured_at = 0;          ///< size of letters
 };
@@ -52,7 +56,7 @@ bool contains(std::string_view name, std::string_view part) {
 }
 
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
-bool group_row(PanelContext& context, const SidePanelOwners& with, const std::string& group,
+bool group_row(PanelContext& context, const SidePanelOwners& with, const std::string& group, std::size_t rows,
                const ControlNames& members) {
   auto& folded = with.panels.own.of<ParameterList>().folded;
   const bool open = !folded.contains(group);
@@ -62,13 +66,11 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   const bool hovered = context.hovers && !context.menu_open && ImGui::IsWindowHovered() &&
                        ImGui::IsMouseHoveringRect(from, {from.x + wide, from.y + context.unit});
   const float buttons = hovered ? quick_buttons_width(context, with.rows(), members) : 0;
-  const std::string label =
-      (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
+  const std::string label = (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(rows) + "##group " + group;
   ButtonLook look{wide - buttons, false, open ? "Fold this group; a long press opens its menu" : "Unfold this group"};
   look.left_aligned = true;
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  look.weight = ButtonWeight::quiet;
   const bool pressed = icon_button(context, label.c_str(), look);
-  ImGui::PopStyleColor();
   ask_for_menu(context, "group", false);
   if (pressed && open) folded.insert(group);
   if (pressed && !open) folded.erase(group);
@@ -116,12 +118,20 @@ std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
 
 /// Looks at the values of this frame. The rows that are not at rest become the group on top as soon as nothing is in
 /// hand any more; what is below the pointer stays there by scrolling.
-void follow_moved(const SidePanelOwners& with, const std::vector<ControlRow>& rows, ListedRows& listed,
-                  float row_height) {
+void follow_moved(const PanelContext& context, const SidePanelOwners& with, const std::vector<ControlRow>& rows,
+                  ListedRows& listed, float row_height) {
   const rig::Pose& shown = with.editing.shown().pose();
   const bool still = listed.seen == shown;
   const bool busy = ImGui::IsAnyItemActive() || ImGui::GetIO().MouseDown[0] || with.editing.pen_is_drawing();
   if (!still || busy) return;
+  // Once the pointer is elsewhere the top of the list is seen again, unless somebody scrolled it meanwhile.
+  const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+  const bool elsewhere = !hovered && !context.menu_open;
+  if (listed.scrolled_for > 0 && elsewhere) {
+    if (std::abs(ImGui::GetScrollY() - listed.scrolled_to) < 1)
+      ImGui::SetScrollY(std::max(0.0F, listed.scrolled_to - listed.scrolled_for));
+    listed.scrolled_for = 0;
+  }
   std::vector<ControlRow> moved;
   for (const ControlRow& row : rows) {
     if (is_moved(with, row.first) || (row.pair() && is_moved(with, row.second))) moved.push_back(row);
@@ -133,13 +143,19 @@ void follow_moved(const SidePanelOwners& with, const std::vector<ControlRow>& ro
   };
   const float by = height(moved) - height(listed.moved);
   listed.moved = std::move(moved);
-  if (ImGui::IsWindowHovered()) {
-    listed.scrolled_for += by;
-    ImGui::SetScrollY(std::max(0.0F, ImGui::GetScrollY() + by));
-  } else if (listed.scrolled_for > 0) {
-    ImGui::SetScrollY(std::max(0.0F, ImGui::GetScrollY() - listed.scrolled_for));
-    listed.scrolled_for = 0;
-  }
+  if (elsewhere) return;
+  listed.scrolled_for += by;
+  listed.scrolled_to = std::max(0.0F, ImGui::GetScrollY() + by);
+  ImGui::SetScrollY(listed.scrolled_to);
+}
+
+/// Bodies of many joints are folded at first: their rows would lie between those of the face.
+void fold_large_body(const SidePanelOwners& with, ListedRows& listed, const std::vector<ControlGroup>& groups) {
+  const auto& mesh = with.editing.document().model->mesh;
+  if (listed.mesh == mesh) return;
+  listed.mesh = mesh;
+  if (std::count(groups.begin(), groups.end(), ControlGroup::body) > k_large_body)
+    with.panels.own.of<ParameterList>().folded.insert(std::string(name_of(ControlGroup::body)));
 }
 
 /// The widest of the names, px; measured once for a model.
@@ -166,7 +182,7 @@ class GroupedRows {
       for (std::string& name : names_in(row, rig_->parameters())) members.push_back(std::move(name));
     }
     if (rows.empty() || !same_rig()) return;
-    if (!title.empty() && !group_row(context_, with_, title, members)) return;
+    if (!title.empty() && !group_row(context_, with_, title, rows.size(), members)) return;
     ImGui::PushID(title.c_str());
     for (const ControlRow& row : rows) {
       if (same_rig()) show_control_row(context_, row, look_, title.empty() ? ControlNames() : members, with_.rows());
@@ -189,6 +205,7 @@ void show_groups(PanelContext& context, const SidePanelOwners& with, std::vector
   const auto& groups = with.panels.own.of<ControlGroups>().of(document, with.editing.words(), with.editing.features());
   std::stable_sort(rows.begin(), rows.end(),
                    [&](const ControlRow& a, const ControlRow& b) { return groups[a.first] < groups[b.first]; });
+  fold_large_body(with, listed, groups);
   const ParameterList& list = with.panels.own.of<ParameterList>();
   const float room = ImGui::GetContentRegionAvail().x;
   GroupedRows shown(context, with, {name_column(context, room, listed.longest), listed.seen});
@@ -207,13 +224,17 @@ void show_list(PanelContext& context, const SidePanelOwners& with) {
   const auto rig = with.editing.document().model->rig;
   const auto parameters = rig->parameters();
   ListedRows& listed = with.panels.own.of<ListedRows>();
-  if (listed.rig != rig) listed = {};
+  if (listed.rig != rig) {
+    const auto mesh = listed.mesh;
+    listed = {};
+    listed.mesh = mesh;
+  }
   listed.rig = rig;
   const auto all = control_rows(parameters, std::vector<bool>(parameters.size(), true));
   with.panels.own.of<SideWidth>().wanted = whole_rows_width(context, longest_name(with, all, listed)) +
                                            2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
   const float between = std::round(k_row_gap * context.gap / 6);
-  follow_moved(with, all, listed, context.unit + between);
+  follow_moved(context, with, all, listed, context.unit + between);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * between, between});
   auto rows = control_rows(parameters, wanted_parameters(with));
   const bool none = rows.empty();

@@ -21,13 +21,15 @@ struct SideTab {
 };
 constexpr std::array<SideTab, 4> k_side_tabs{
     {{"Parameters", "Everything that moves the model, as sliders",
-      "M4 7L20 7M4 12L20 12M4 17L20 17D9 7 2.4D15 12 2.4D8 17 2.4", nullptr},
-     {"Controls", "Controls that were sketched, and new ones", "A12 17 8 190 350D4 15.5 2.2D20 15.5 2.2D12 9 2.2",
+      "D9 7 2.4D15 12 2.4D8 17 2.4M4 7L20 7M4 12L20 12M4 17L20 17", nullptr},
+     {"Controls", "Controls that were sketched, and new ones", "D4 15.5 2.2D20 15.5 2.2D12 9 2.2A12 17 8 190 350",
       &PanelState::controls_tab},
      {"Poses", "Poses that are keyed, and the library", "C12 12 8.5D9 10 1.2D15 10 1.2A12 12 4.5 30 150",
       &PanelState::poses_tab},
      {"Mouths", "The mouths that speech is drawn with", "M3 12L8 8.5L12 10L16 8.5L21 12L16 16.5L8 16.5ZM3 12L21 12",
       &PanelState::mouths_tab}}};
+/// Room beside the word of a tab, in targets of a pen.
+constexpr float k_tab_pad = 0.44F;
 constexpr std::string_view k_close_side = "M6 5L13 12L6 19M19 5L19 19";
 constexpr std::string_view k_open_side = "M18 5L11 12L18 19M5 5L5 19";
 
@@ -41,10 +43,10 @@ void choose(PanelState& panels, const SideTab& tab) {
 }
 
 void show_rail(PanelContext& context, PanelState& panels) {
-  if (icon_button(context, "Open##side", {context.unit, false, "Open the side panel", k_open_side, false}))
+  if (quiet_icon(context, "Open##side", k_open_side, "Open the side panel"))
     panels.open_side();
   for (const SideTab& tab : k_side_tabs) {
-    if (!icon_button(context, tab.label, {context.unit, false, tab.tip, tab.icon, false})) continue;
+    if (!quiet_icon(context, tab.label, tab.icon, tab.tip)) continue;
     choose(panels, tab);
     panels.open_side();
   }
@@ -55,17 +57,17 @@ void show_tabs(PanelContext& context, PanelState& panels) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x - context.unit - 4 * spacing;
   float words = 0;
-  for (const SideTab& tab : k_side_tabs) words += ImGui::CalcTextSize(tab.label).x + context.gap;
+  for (const SideTab& tab : k_side_tabs) words += ImGui::CalcTextSize(tab.label).x + k_tab_pad * context.unit;
   const bool all = words <= room;
   const float pad = (room - words) / static_cast<float>(k_side_tabs.size());
   for (const SideTab& tab : k_side_tabs) {
     const bool chosen = is_chosen(panels, tab);
-    ButtonLook look{ImGui::CalcTextSize(tab.label).x + context.gap + pad, chosen, tab.tip};
+    ButtonLook look{ImGui::CalcTextSize(tab.label).x + k_tab_pad * context.unit + pad, chosen, tab.tip};
     if (!all) look = {chosen ? room - 3 * context.unit : context.unit, chosen, tab.tip, tab.icon, chosen};
     if (icon_button(context, tab.label, look)) choose(panels, tab);
     ImGui::SameLine();
   }
-  if (icon_button(context, "Close##side", {-1, false, "Close the panel to a rail", k_close_side, false}))
+  if (quiet_icon(context, "Close##side", k_close_side, "Close the panel to a rail"))
     panels.open_side(false);
 }
 

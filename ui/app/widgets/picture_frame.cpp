@@ -22,9 +22,9 @@ constexpr double k_much = 0.7;
 /// Room around a part, and around a face, whose parts end at the brows and the chin: shares of the picture.
 constexpr double k_around_part = 0.12, k_around_face = 0.22;
 /// Room around what differs, a share of the picture; a vertex counts that goes so much of the longest way.
-constexpr double k_around_difference = 0.2, k_differs_much = 0.25;
+constexpr double k_around_difference = 0.16, k_differs_much = 0.5;
 /// A picture of what differs is no smaller than this share of one of the face.
-constexpr double k_least_of_face = 0.36;
+constexpr double k_least_of_face = 0.3;
 /// The eye is so many sides of a face away, as in the canvas.
 constexpr double k_sides_away = 2.35;
 constexpr double k_yaw_step = 5, k_most_yaw = 75, k_most_pitch = 40;

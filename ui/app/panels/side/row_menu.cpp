@@ -166,14 +166,12 @@ void show_quick_buttons(PanelContext& context, const RowOwners& with, const Cont
     lock_parameters(with.editing, names, !locked);
   ImGui::SameLine(0, 0);
   if (names.size() == 1 && is_sketched(with.editing, names.front())) {
-    if (icon_button(context, ("##redraw " + label).c_str(),
-                    {context.unit, false, "Redraw: the next stroke goes where the feature should go",
-                     icon_of(Action::tool_pose), false}))
+    if (quiet_icon(context, ("##redraw " + label).c_str(), icon_of(Action::tool_pose),
+                   "Redraw: the next stroke goes where the feature should go"))
       with.controls.redraw(names.front(), articulation::CurveRole::target);
     ImGui::SameLine(0, 0);
   }
-  if (icon_button(context, ("\u21ba##reset " + label).c_str(),
-                  {context.unit, false, "Back to rest", icon::k_back, false}))
+  if (quiet_icon(context, ("\u21ba##reset " + label).c_str(), icon::k_back, "Back to rest"))
     with.editing.perform(document::ResetParameters{names});
 }
 

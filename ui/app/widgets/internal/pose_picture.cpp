@@ -32,10 +32,11 @@ std::vector<std::uint8_t> pixels_of_file(base::Bytes png) {
 void PosePictures::reserve(ImFontAtlas& atlas) {
   sheet_.reserve(atlas);
   pictures_.clear();
-  next_ = 0;
+  asked_.clear();
 }
 
 void PosePictures::begin_frame() {
+  ++frame_;
   if (!drawn_.valid() || drawn_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return;
   Pixels pixels;
   try {
@@ -71,7 +72,7 @@ std::optional<PosePictures::Corners> PosePictures::place_of(const EditingSession
   if (!sheet_.ready() || pose.size() != model->rig->parameters().size()) return std::nullopt;
   const Picture wanted{model, pose, frame, {}};
   if (const auto found = find(wanted)) return found;
-  if (drawn_.valid()) return std::nullopt;
+  if (drawn_.valid() || !free_place()) return std::nullopt;
   making_ = wanted;
   const auto paint = [this, wanted] { return painter_.paint(*wanted.model, wanted.pose, wanted.frame, k_px); };
   try {
@@ -86,6 +87,7 @@ std::optional<PosePictures::Corners> PosePictures::place_of(const std::string& n
   if (!sheet_.ready()) return std::nullopt;
   Picture wanted{{}, {}, {}, name};
   if (const auto found = find(wanted)) return found;
+  if (!free_place()) return std::nullopt;
   // One a frame.
   if (changed_) {
     more_ = true;
@@ -95,22 +97,31 @@ std::optional<PosePictures::Corners> PosePictures::place_of(const std::string& n
   return find(wanted);
 }
 
-std::optional<PosePictures::Corners> PosePictures::find(const Picture& wanted) const {
+std::optional<PosePictures::Corners> PosePictures::find(const Picture& wanted) {
   const auto found = std::find(pictures_.begin(), pictures_.end(), wanted);
   if (found == pictures_.end()) return std::nullopt;
-  return sheet_.corners(static_cast<std::size_t>(found - pictures_.begin()));
+  const auto place = static_cast<std::size_t>(found - pictures_.begin());
+  asked_[place] = frame_;
+  return sheet_.corners(place);
+}
+
+std::optional<std::size_t> PosePictures::free_place() const {
+  if (pictures_.size() < sheet_.count()) return pictures_.size();
+  const auto oldest = std::min_element(asked_.begin(), asked_.end());
+  if (*oldest + 1 >= frame_) return std::nullopt;
+  return static_cast<std::size_t>(oldest - asked_.begin());
 }
 
 void PosePictures::draw(Picture made, const Pixels& pixels) {
-  if (!sheet_.ready()) return;
-  std::size_t place = pictures_.size();
-  if (place < sheet_.count()) {
+  const auto place = sheet_.ready() ? free_place() : std::nullopt;
+  if (!place) return;
+  if (*place == pictures_.size()) {
     pictures_.emplace_back();
-  } else {
-    place = next_++ % pictures_.size();
+    asked_.emplace_back();
   }
-  pictures_[place] = std::move(made);
-  sheet_.draw(place, pixels);
+  pictures_[*place] = std::move(made);
+  asked_[*place] = frame_;
+  sheet_.draw(*place, pixels);
   changed_ = true;
 }
 

@@ -20,11 +20,12 @@
 namespace penpose::app {
 
 /// Pictures of poses beside the letters in ImGui's one texture, as the canvas shows them. They are drawn one after the
-/// other on another thread, so that no frame is late.
+/// other on another thread, so that no frame is late. Ask for those that are seen alone: where there are more than
+/// there is room for, some stay without a picture.
 class PosePictures {
  public:
   static constexpr int k_px = 128;
-  static constexpr int k_across = 5;
+  static constexpr int k_across = 6;
 
   /// Sets room aside in the atlas; before it is built. What was drawn is drawn again.
   void reserve(ImFontAtlas& atlas);
@@ -58,15 +59,18 @@ class PosePictures {
     friend bool operator==(const Picture&, const Picture&) = default;
   };
   using Pixels = std::vector<std::uint8_t>;
-  [[nodiscard]] std::optional<Corners> find(const Picture& wanted) const;
+  [[nodiscard]] std::optional<Corners> find(const Picture& wanted);
+  /// A place that is free, or whose picture nobody asks for any more, the one that was asked for longest ago.
+  [[nodiscard]] std::optional<std::size_t> free_place() const;
   void draw(Picture made, const Pixels& pixels);
 
   PictureSheet sheet_{k_px, k_across};
   std::shared_ptr<const document::Model> framed_;  ///< whose `frames_` they are
   std::size_t framed_features_ = 0;                ///< and how many features it had
   PictureFrames frames_;
-  std::deque<Picture> pictures_;  ///< by place; as many as there is room for
-  std::size_t next_ = 0;          ///< the place that is taken next where all are
+  std::deque<Picture> pictures_;     ///< by place; as many as there is room for
+  std::deque<std::uint64_t> asked_;  ///< in which frame each was last asked for
+  std::uint64_t frame_ = 2;
   bool changed_ = false;
   bool more_ = false;
   PosePainter painter_;  ///< of the other thread while `drawn_` waits
