@@ -1,4 +1,4 @@
-#include "ui/app/panels/control_rows.h"
+#include "ui/app/panels/side/control_rows.h"
 
 #include <algorithm>
 #include <utility>

@@ -43,8 +43,7 @@ void choose(PanelState& panels, const SideTab& tab) {
 }
 
 void show_rail(PanelContext& context, PanelState& panels) {
-  if (quiet_icon(context, "Open##side", k_open_side, "Open the side panel"))
-    panels.open_side();
+  if (quiet_icon(context, "Open##side", k_open_side, "Open the side panel")) panels.open_side();
   for (const SideTab& tab : k_side_tabs) {
     if (!quiet_icon(context, tab.label, tab.icon, tab.tip)) continue;
     choose(panels, tab);
@@ -67,8 +66,7 @@ void show_tabs(PanelContext& context, PanelState& panels) {
     if (icon_button(context, tab.label, look)) choose(panels, tab);
     ImGui::SameLine();
   }
-  if (quiet_icon(context, "Close##side", k_close_side, "Close the panel to a rail"))
-    panels.open_side(false);
+  if (quiet_icon(context, "Close##side", k_close_side, "Close the panel to a rail")) panels.open_side(false);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 #include "core/base/text/letters.h"
 #include "ui/app/controls/control_groups.h"
-#include "ui/app/panels/control_rows.h"
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panel_state.h"
+#include "ui/app/panels/side/control_rows.h"
 #include "ui/app/panels/side/side_width.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
