@@ -8,6 +8,7 @@
 
 #include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/side/side_width.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
@@ -28,6 +29,10 @@ constexpr double k_least_canvas = 0.35, k_least_targets_across = 7, k_least_targ
 /// So far, in targets, a press may tremble before it is a drag.
 constexpr double k_drag_slack = 0.25;
 constexpr int k_settle_frames = 3;
+/// A press that rests so long asks for a menu.
+constexpr double k_long_press_s = 0.5;
+/// A picture of a pose is looked for so often.
+constexpr int k_pose_look_ms = 12;
 /// Pictures that are being made are looked for so often.
 constexpr int k_picture_look_ms = 60;
 /// Latin, dashes, dots and arrows; and the signs that the panels use, which not every font has.
@@ -55,6 +60,7 @@ Interface::Interface(App& app)
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   map_edit_keys();
+  panels_.side_closed = preferences_.settings().side_closed;
   apply_look();
   disturb();
 }
@@ -125,9 +131,18 @@ void Interface::rest_pointer(double passed_s) {
   }
 }
 
+void Interface::time_press(double passed_s) {
+  const bool held = drag_scroll_.held();
+  held_s_ = held ? held_s_ + passed_s : 0;
+  held_told_ = held && held_told_;
+}
+
 int Interface::next_frame_ms() const {
   // A press and its release are told in two frames.
   if (!told_.empty()) return 1;
+  if (drag_scroll_.held() && !held_told_)
+    return std::max(1, static_cast<int>(std::ceil(1000 * (k_long_press_s - held_s_))));
+  if (pictures_->waits()) return k_pose_look_ms;
   if (file_pictures_->waits() && shown_ != Dialog::none) return k_picture_look_ms;
   if (!tip_waits_) return -1;
   return std::max(1, static_cast<int>(std::ceil(1000 * (k_tip_s - rested_s_))));
@@ -148,6 +163,7 @@ void Interface::frame(double passed_s) {
     dialogs_.state<KeyAsked>().waits = false;
     opening_ = panels_.has_keyboard ? 2 : 0;
   }
+  time_press(passed_s);
   take_pointer();
   take_typed();
   rest_pointer(passed_s);
@@ -170,6 +186,9 @@ void Interface::frame(double passed_s) {
                        static_cast<float>(6 * canvas_.scale())};
   context.dialog_opens = opens;
   context.tip_due = rested_s_ >= k_tip_s;
+  context.hovers = hovers_;
+  context.long_press = !held_told_ && held_s_ >= k_long_press_s && drag_scroll_.held();
+  held_told_ = held_told_ || context.long_press;
   context.accepts = std::exchange(accepts_, false);
   context.cancels = std::exchange(cancels_, false);
   context.field_first = !wants_keys() && !io.MouseDown[0] && (types_ || opening_ > 0);
@@ -182,7 +201,15 @@ void Interface::frame(double passed_s) {
   if (pictures_->take_changed()) ++font_revision_;
   if (file_pictures_->take_changed()) ++font_revision_;
   if (file_pictures_->wants_room()) disturb();
-  if (pictures_->waits()) disturb();
+  if (pictures_->take_more()) disturb();
+  if (context.takes_long_press) {
+    drag_scroll_.drop();
+    disturb();
+  }
+  if (panels_.side_closed != preferences_.settings().side_closed) {
+    preferences_.settings().side_closed = panels_.side_closed;
+    preferences_.changed();
+  }
   menu_open_ = context.menu_open;
   fields_ = std::move(context.fields);
   tip_ = std::move(context.tip);
@@ -215,7 +242,8 @@ void Interface::show_all(PanelContext& context) {
   const double width = context.window.width;
   const double height = context.window.height;
   const double top = unit + 2 * gap;
-  double right = std::min(9.5 * unit, 0.4 * width);
+  const double open = side_width(context, panels_, width);
+  double right = std::min(open, 0.4 * width);
   const double status = 0.7 * unit;
   const bool plays = app_.of<Player>().trace.has_value();
   const double player = plays ? unit + 2 * gap : 0;
@@ -227,8 +255,14 @@ void Interface::show_all(PanelContext& context) {
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
   panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
   if (panels_.narrow) {
-    right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
+    right = panels_.side_in_turn ? std::min(open, (1 - k_least_canvas) * width) : 0;
     if (panels_.side_in_turn) left = 0;
+  }
+  // Closed it is a rail, where that leaves room for the canvas.
+  if (!panels_.side_open()) {
+    const double rail = unit + 2 * gap;
+    const bool fits = width - left - rail >= std::max(k_least_canvas * width, k_least_targets_across * unit);
+    right = fits ? rail : 0;
   }
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
   Area free{0, 0, width, height};
@@ -269,6 +303,9 @@ void Interface::take_pointer() {
       const PanelPointer next = pointer.front();
       pointer.pop_front();
       disturb();
+      const bool near = std::hypot(next.at.x - last_told_.at.x, next.at.y - last_told_.at.y) <= k_still_px;
+      if (!last_told_.down && (!next.down || !near)) hovers_ = !next.down;
+      last_told_ = next;
       if (!drag_scroll_.active() && type_on_screen(next)) {
         if (key_to_release_ >= 0) break;
         continue;

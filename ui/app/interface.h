@@ -85,6 +85,8 @@ class Interface {
   /// Hands a key to a dialog that waits for one, whichever it is; false: none does.
   bool asks_for_key(int scancode, const KeyStroke& stroke, bool down);
   void rest_pointer(double passed_s);
+  /// Counts how long a press has been held where it began.
+  void time_press(double passed_s);
   void show_all(PanelContext& context);
   /// How high the timeline is, px: its strips and, where they are shown, the sheet or the curves as they were dragged
   /// or `usual`, `most` in all; where that is too little for the strips, its buttons alone.
@@ -103,7 +105,7 @@ class Interface {
   Dialogs& dialogs_;
   Actions& actions_;
   PanelInput& input_;
-  const Preferences& preferences_;
+  Preferences& preferences_;
   std::unique_ptr<PosePictures> pictures_;
   std::unique_ptr<FilePictures> file_pictures_;
   double look_scale_ = 0;
@@ -121,6 +123,10 @@ class Interface {
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
   DragScroll drag_scroll_;
+  double held_s_ = 0;              ///< for how long a press has been held
+  bool held_told_ = false;         ///< that it is long is told
+  bool hovers_ = false;            ///< the pointer came without being pressed
+  PanelPointer last_told_ = {};    ///< what was last heard of it
   std::deque<PanelPointer> told_;  ///< what the panels are still to be told of the pointer
   int key_to_release_ = -1;        ///< of ImGui's, pressed on the screen
   std::deque<Typed> typed_;

@@ -142,6 +142,7 @@ constexpr std::array k_lines{
     Line{"soft_shadows", [](Settings& to, View value) { return take_flag(to.soft_shadows, value); }},
     Line{"steps_seen", [](Settings& to, View value) { return take_flag(to.steps_seen, value); }},
     Line{"pose_first", [](Settings& to, View value) { return take_flag(to.pose_first, value); }},
+    Line{"side_closed", [](Settings& to, View value) { return take_flag(to.side_closed, value); }},
     Line{"density", [](Settings& to, View value) { return take_one(to.density, value, 3); }},
     Line{"stabiliser", [](Settings& to, View value) { return take_one(to.stabiliser, value, 3); }},
     Line{"rate", take_rate},
@@ -200,6 +201,7 @@ std::string to_text(const Settings& settings) {
   text += "soft_shadows=" + flag(settings.soft_shadows);
   text += "steps_seen=" + flag(settings.steps_seen);
   text += "pose_first=" + flag(settings.pose_first);
+  text += "side_closed=" + flag(settings.side_closed);
   text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";
   text += "stabiliser=" + std::to_string(static_cast<int>(settings.stabiliser)) + "\n";
   text += "rate=" + std::to_string(settings.rate) + "\n";

@@ -25,6 +25,7 @@ struct Settings {
   bool light = false;
   bool soft_shadows = true;  ///< in cavities and on the ground
   bool steps_seen = false;   ///< the first steps were shown
+  bool side_closed = false;  ///< the panel at the right is a rail
   bool pose_first = false;   ///< Pose is in hand at first, not Draw: what was last taken of the two
   Density density = Density::usual;
   Stabiliser stabiliser = Stabiliser::light;

@@ -141,7 +141,8 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   const auto open = [&] {
     desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
     desk.frames();
-    desk.click("\u270e##type jaw");
+    desk.click("row jaw");
+    desk.click("Type a value##type jaw");
   };
   open();
   for (const char* key : {"0##pad", ".##pad", "5##pad"}) desk.click(key);

@@ -17,6 +17,7 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.pose_first = true;
   settings.sheet_height = 123.5;
   settings.curves_height = 400;
+  settings.side_closed = true;
   settings.tablet.left_handed = true;
   settings.radial[0] = Action::view_side;
   settings.radial[7] = Action::save_as;

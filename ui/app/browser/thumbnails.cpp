@@ -8,7 +8,7 @@
 #include "core/io/model/model_formats.h"
 #include "core/picture/jpeg.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/widgets/surface_picture.h"
+#include "ui/app/widgets/pose_painter.h"
 #include "ui/files/load_model.h"
 
 namespace penpose::app {

@@ -77,7 +77,7 @@ void do_found(PanelContext& context, const FindDialogsOwners& with, const FoundC
       context.actions.run(found.action);
       break;
     case FoundCommand::Kind::control:
-      with.panels.shown = true;
+      with.panels.open_side();
       with.panels.controls_tab = false;
       with.panels.own.of<ParameterList>().moved_only = false;
       with.panels.own.of<ParameterList>().filter = found.control;

@@ -18,6 +18,10 @@ std::vector<PanelPointer> DragScroll::add(const PanelPointer& next, double slack
     // What lies below is lit, but not pressed.
     return {{next.at, false}};
   }
+  if (dropped_) {
+    dropped_ = next.down;
+    return {{next.at, false}};
+  }
   if (!from_) return {next};
   const PxPoint from = *from_;
   const double across = std::abs(next.at.x - from.x);
@@ -39,6 +43,12 @@ std::vector<PanelPointer> DragScroll::add(const PanelPointer& next, double slack
   if (next.down) return {};
   from_.reset();
   return {{from, true}, {from, false}};
+}
+
+void DragScroll::drop() {
+  if (!held()) return;
+  from_.reset();
+  dropped_ = true;
 }
 
 std::optional<std::pair<std::uint32_t, double>> DragScroll::take() {

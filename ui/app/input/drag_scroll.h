@@ -28,6 +28,10 @@ class DragScroll {
 
   /// A press is held back or scrolls.
   [[nodiscard]] bool active() const { return from_.has_value(); }
+  /// A press is held back: it has neither moved nor been let go.
+  [[nodiscard]] bool held() const { return from_ && !scrolls_; }
+  /// What is held back shall be nothing, and what follows until it is let go neither.
+  void drop();
   /// What scrolls, and by how many px the pointer has moved down since this was last asked; nothing: no drag.
   [[nodiscard]] std::optional<std::pair<std::uint32_t, double>> take();
 
@@ -36,6 +40,7 @@ class DragScroll {
   bool down_ = false;            ///< the pointer, as far as it was told of
   std::optional<PxPoint> from_;  ///< where a press that is held back began
   bool scrolls_ = false;
+  bool dropped_ = false;
   std::uint32_t id_ = 0;
   double last_y_ = 0;
   double moved_px_ = 0;

@@ -159,8 +159,7 @@ void show_slot(PanelContext& context, const MouthOwners& with, const MouthSlot& 
   if (mouth != nullptr || lit)
     list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_ButtonHovered : ImGuiCol_Button), 5);
   if (mouth != nullptr) {
-    const document::PoseKey pictured{0, with.kept.pose_of(*mouth), name};
-    if (const auto place = context.pictures.place_of(with.editing.document(), pictured, FacePart::mouth))
+    if (const auto place = context.pictures.place_of(with.editing, with.kept.pose_of(*mouth), FacePart::mouth))
       list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                            place->first, place->second, k_untinted, 4);
   } else {

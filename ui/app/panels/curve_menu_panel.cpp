@@ -55,14 +55,14 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
   const float width = 4.2F * context.unit;
   const double wide = 2 * static_cast<double>(width) + 3 * static_cast<double>(context.gap);
   const bool others = offer.open() && offer.face_line() == id;
-  const auto pictures = face_readings_size(context, offer, static_cast<float>(wide));
   const auto part = poses::part_of_feature(feature);
+  const auto pictures = face_readings_size(context, offer, static_cast<float>(wide), 3 * context.unit);
   const double rows = static_cast<double>((names.size() + 1) / 2 + 3 + (part ? 1 : 0)) +
                       (others ? static_cast<double>(pictures.height / context.unit) : 0.0);
   std::optional<document::Command> chosen;
   bool taken = false;
   if (begin_panel(context, "line", menu_area(context, canvas, at, wide, rows), true)) {
-    if (others) taken = show_face_readings(context, editing, offer, pictures.picture);
+    if (others) taken = show_face_readings(context, editing, canvas, offer, pictures.picture);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (i % 2 == 1) ImGui::SameLine();
       const std::string label = feature_words(names[i]) + "##face";

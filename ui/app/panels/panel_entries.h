@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/app/view/area.h"
+#include "ui/app/widgets/picture_frame.h"
 
 // What panels keep that others look at.
 
@@ -74,6 +75,13 @@ struct TimelineShown {
 struct ReadingsPlace {
   std::optional<Area> area;          ///< at the foot of the canvas; nothing: none is there
   std::optional<std::size_t> taken;  ///< the button that the pen pressed and is still over
+};
+
+/// What the pictures of other readings show: all alike what differs between them, from where one looks.
+struct ReadingsFrame {
+  std::uint64_t revision = 0;  ///< of the document that they are readings of
+  std::size_t count = 0;       ///< of readings
+  PictureFrame frame;
 };
 
 }  // namespace penpose::app

@@ -27,6 +27,7 @@ struct PanelState {
   bool shown = true;
   bool narrow = false;            ///< the window has no room for the tools and the side panel at once
   bool side_in_turn = false;      ///< where it is narrow: the side panel, else the tools
+  bool side_closed = false;       ///< elsewhere: the side panel is a rail with its tabs alone (a preference)
   bool controls_tab = false;      ///< of the side panel: sketched controls, else all parameters
   bool poses_tab = false;         ///< the poses that are keyed, in place of both
   bool mouths_tab = false;        ///< the mouths that are kept, in place of all
@@ -54,18 +55,23 @@ struct PanelState {
       side_in_turn = true;
     }
   }
+  /// The side panel is there as a whole, as far as panels are shown.
+  [[nodiscard]] bool side_open() const { return narrow ? side_in_turn : !side_closed; }
+  void open_side(bool open = true) {
+    if (open) shown = true;
+    side_in_turn = open;
+    if (!narrow) side_closed = !open;
+  }
   /// The keyed poses on the side panel, or what was there before them.
   void show_poses() {
-    shown = true;
-    side_in_turn = true;
-    poses_tab = !poses_tab;
+    poses_tab = !(poses_tab && side_open());
+    open_side();
     controls_tab = mouths_tab = false;
   }
   /// The kept mouths likewise.
   void show_mouths() {
-    shown = true;
-    side_in_turn = true;
-    mouths_tab = !mouths_tab;
+    mouths_tab = !(mouths_tab && side_open());
+    open_side();
     controls_tab = poses_tab = false;
   }
   /// The line of the face whose menu is open.

@@ -46,9 +46,12 @@ struct PanelContext {
   std::vector<ScrollArea> scrolls = {};       ///< what a drag moves up and down; while a dialog is open, of that alone
   std::vector<ScrollArea> menu_scrolls = {};  ///< of an open menu, which nothing else is hit beside
   std::optional<std::pair<std::uint32_t, double>> scrolled = {};  ///< what a drag moved, and by how many px down
-  bool tip_due = false;                                           ///< the pointer has rested long enough for a tooltip
-  std::string tip = {};    ///< what the tooltip says that is shown; empty: none is
-  bool tip_waits = false;  ///< it rests on something that has one
+  bool hovers = false;            ///< the pointer came without being pressed, as a mouse does and a finger does not
+  bool long_press = false;        ///< a press rests where it began, long enough to ask for a menu
+  bool takes_long_press = false;  ///< somebody opened one: the press is nothing else
+  bool tip_due = false;           ///< the pointer has rested long enough for a tooltip
+  std::string tip = {};           ///< what the tooltip says that is shown; empty: none is
+  bool tip_waits = false;         ///< it rests on something that has one
 };
 
 /// Where panels lie in the window.

@@ -5,7 +5,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/poses/keep_pose.h"
-#include "ui/app/widgets/surface_picture.h"
+#include "ui/app/widgets/pose_painter.h"
 #include "ui/files/load_model.h"
 #include "ui/render/picture/image.h"
 
@@ -33,11 +33,13 @@ bool moves_part(const poses::KeptPose& pose, FacePart part) {
 }
 
 /// A picture of the pose for each part.
-void draw_pictures(const document::Model& model, const rig::Pose& pose, poses::KeptPose& kept) {
-  const PictureFrames frames = picture_frames(model);
+void draw_pictures(const document::Model& model, std::span<const portrait::FeatureCurve> features,
+                   const rig::Pose& pose, poses::KeptPose& kept) {
+  const PictureFrames frames = picture_frames(model, features);
+  PosePainter painter;
   for (std::size_t part = 0; part < frames.size(); ++part) {
     const auto png =
-        render::encode_png({k_picture_px, k_picture_px, pose_pixels(model, pose, frames[part], k_picture_px)});
+        render::encode_png({k_picture_px, k_picture_px, painter.paint(model, pose, frames[part], k_picture_px)});
     if (png) kept.pictures[part] = *png;
   }
 }
@@ -118,7 +120,7 @@ std::string PoseShelf::keep(const rig::Pose& pose, const std::string& name) {
     lines = poses::lines_of(document, *measure, [&](document::CurveId id) { return editing_.moments().shows(id); });
   const std::string model = fs::path(files::model_name(files_.path()).file).filename().string();
   poses::KeptPose kept = poses::keep_pose(document, pose, name, model, measure, std::move(lines));
-  draw_pictures(*document.model, pose, kept);
+  draw_pictures(*document.model, editing_.features(), pose, kept);
   const auto path = files::add_pose(folder(), kept);
   if (!path) {
     refused(path.error(), {});

@@ -78,6 +78,15 @@ std::string words_of(const document::Document& document, Words words, const rig:
 
 }  // namespace
 
+std::string OfferedReading::brief() const {
+  std::string first = words.substr(0, words.find(';'));
+  first = first.substr(0, first.find(" and "));
+  const std::size_t number = first.find_last_of("+-");
+  const bool numbered = number != std::string::npos && number > 0 && first[number - 1] == ' ' &&
+                        first.find_first_not_of("0123456789.", number + 1) == std::string::npos;
+  return numbered ? first.substr(0, number - 1) : first;
+}
+
 std::vector<std::string> words_of_readings(const document::Document& document, Words words) {
   std::vector<std::string> out;
   const document::Moment* moment = document.moment.get();

@@ -22,6 +22,9 @@ struct OfferedReading {
   document::SharedPose pose;   ///< what the face shows
   document::Command command;   ///< what makes it a step
   std::string feature = {};    ///< the name of the feature that a line of the face then is
+
+  /// What it moves most, without numbers: "lips pucker", "without jaw opens".
+  [[nodiscard]] std::string brief() const;
 };
 
 /// Other readings of the last line, "did you mean": one is shown on the face where the pen is over it, and becomes a

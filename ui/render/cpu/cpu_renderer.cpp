@@ -19,8 +19,6 @@
 namespace penpose::render {
 namespace {
 
-/// Of all textures together: memory of boards is short, and so are their screens.
-constexpr std::uint64_t k_most_texture_px = 4'800'000;
 /// A side of a picture, px. Corners are placed in whole numbers.
 constexpr int k_most_side_px = 8192;
 constexpr unsigned k_most_threads = 4;
@@ -28,6 +26,7 @@ constexpr unsigned k_most_threads = 4;
 }  // namespace
 
 struct CpuRenderer::State {
+  std::uint64_t most_texture_px = k_most_texture_px;
   Workers workers{std::clamp(std::thread::hardware_concurrency(), 1U, k_most_threads)};
   SceneTracker tracker;
   DrawList list;
@@ -83,7 +82,7 @@ base::Status CpuRenderer::State::take(const Scene& scene) {
     // Clay keeps them, because one looks at both in turn.
     if (!looks && (scene.appearance == nullptr || !scene.appearance->look)) textures.clear();
     if (looks) {
-      textures.keep(*look, scene.appearance->batches, k_most_texture_px,
+      textures.keep(*look, scene.appearance->batches, most_texture_px,
                     [](Image image) { return TextureMap(std::move(image)); });
     }
     outlines.take(list, look.get(), textures, scene.positions.size());
@@ -268,7 +267,9 @@ base::Status CpuRenderer::State::draw_surfaces(const Scene& scene, const geometr
   return base::Done{};
 }
 
-CpuRenderer::CpuRenderer() : state_(std::make_unique<State>()) {}
+CpuRenderer::CpuRenderer(std::uint64_t most_texture_px) : state_(std::make_unique<State>()) {
+  state_->most_texture_px = most_texture_px;
+}
 CpuRenderer::~CpuRenderer() = default;
 
 base::Result<Image> CpuRenderer::render(const Scene& scene, const geometry::Camera& camera) {

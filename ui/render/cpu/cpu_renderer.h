@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@ namespace penpose::render {
 /// Draws scenes on the processor, with up to four threads. The same bits on every machine.
 class CpuRenderer final : public Renderer {
  public:
-  CpuRenderer();
+  /// Textures have no more px together than that: memory of boards is short, and so are their screens.
+  static constexpr std::uint64_t k_most_texture_px = 4'800'000;
+  explicit CpuRenderer(std::uint64_t most_texture_px = k_most_texture_px);
   ~CpuRenderer() override;
 
   base::Result<Image> render(const Scene& scene, const geometry::Camera& camera) override;

@@ -56,5 +56,24 @@ TEST_F(DragScrolls, ElsewherePressesAreToldAtOnce) {
   EXPECT_EQ(told(50, 350, true), "50,350+ ") << "drawn into, not scrolled";
 }
 
+TEST_F(DragScrolls, WhatIsDroppedWhileItIsHeldPressesNothingUntilTheNextPress) {
+  EXPECT_EQ(told(50, 100, true), "50,100- ");
+  EXPECT_TRUE(scroll.held());
+  scroll.drop();
+  EXPECT_FALSE(scroll.held());
+  EXPECT_EQ(told(90, 100, true), "90,100- ");
+  EXPECT_EQ(told(90, 100, false), "90,100- ");
+  EXPECT_EQ(told(50, 100, true), "50,100- ");
+  EXPECT_EQ(told(50, 100, false), "50,100+ 50,100- ");
+}
+
+TEST_F(DragScrolls, WhatScrollsIsNoLongerHeld) {
+  EXPECT_EQ(told(50, 100, true), "50,100- ");
+  EXPECT_EQ(told(50, 130, true), "");
+  EXPECT_FALSE(scroll.held());
+  scroll.drop();
+  EXPECT_TRUE(scroll.active()) << "it goes on scrolling";
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -10,7 +10,8 @@ namespace {
 void open_number(Desk& desk) {
   desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
   desk.frames();
-  desk.click("\u270e##type jaw");
+  desk.click("row jaw");
+  desk.click("Type a value##type jaw");
 }
 
 double jaw_of(const Desk& desk) {

@@ -194,22 +194,22 @@ TEST(Controls, AControlThatIsLockedStaysInTheListOfTheMovedOnes) {
   desk.begin();
   const std::string moved = moved_with_mouth(desk);
   desk.click("Moved");
-  const std::string lock = "##lock " + moved;
-  ASSERT_NE(desk.interface->find(lock), nullptr);
-  desk.click(lock);
+  const std::string slider = "slider " + moved;
+  ASSERT_NE(desk.interface->find(slider), nullptr);
+  desk.turn_lock(moved);
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   ASSERT_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest)
       << "the line is solved again without it";
-  ASSERT_NE(desk.interface->find(lock), nullptr) << "it can be freed where it was locked";
-  desk.click(lock);
+  ASSERT_NE(desk.interface->find(slider), nullptr) << "it can be freed where it was locked";
+  desk.turn_lock(moved);
   EXPECT_NE(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
   // One that is away from rest stays in any case, and what was never listed does not come.
   desk.app->of<EditingSession>().perform(document::LockParameters{{"jaw"}, true});
   desk.app->of<Controls>().set_parameter(index, desk.document().model->rig->parameters()[index].maximum);
-  desk.click(lock);
-  EXPECT_NE(desk.interface->find(lock), nullptr);
+  desk.turn_lock(moved);
+  EXPECT_NE(desk.interface->find(slider), nullptr);
   EXPECT_EQ(
-      desk.interface->find("##lock jaw") != nullptr,
+      desk.interface->find("slider jaw") != nullptr,
       std::abs(desk.document().pose[*rig::find_parameter(desk.document().model->rig->parameters(), "jaw")]) > 0.005);
 }
 

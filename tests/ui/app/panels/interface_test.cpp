@@ -186,13 +186,19 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   desk.app->of<Controls>().set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
   ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
   desk.frames();
-  desk.click("##lock group brow");
+  const auto group = [&] {
+    for (const auto& [label, area] : desk.interface->targets()) {
+      if (label.ends_with("##group Brows")) return label;
+    }
+    return std::string("no group Brows");
+  };
+  desk.hover(group());
+  desk.click("##lock group Brows");
   EXPECT_EQ(desk.document().locked.size(), 4U);
-  desk.click("\u21ba##reset group brow");
+  desk.click("\u21ba##reset group Brows");
   EXPECT_DOUBLE_EQ(desk.document().pose[4], 0);
-  const Area* unfolded = desk.interface->find("slider brow_inner_L");
-  ASSERT_NE(unfolded, nullptr);
-  desk.click("\u25be  brow  4##group brow");
+  ASSERT_NE(desk.interface->find("slider brow_inner_L"), nullptr);
+  desk.click(group());
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
 }
 

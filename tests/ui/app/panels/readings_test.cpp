@@ -144,5 +144,30 @@ TEST(Readings, ALineWhereItsCurveIsAsksForNothing) {
   EXPECT_FALSE(offer_of(desk).open());
 }
 
+TEST(Readings, ArePicturesWithFewWordsOfEqualSize) {
+  Desk desk("readings-pictures");
+  desk.begin();
+  draw_smile(desk);
+  ASSERT_GE(offer_of(desk).readings().size(), 2U);
+  const Area* first = desk.interface->find("reading 1");
+  const Area* second = desk.interface->find("reading 2");
+  ASSERT_TRUE(first != nullptr && second != nullptr);
+  EXPECT_GT(first->height(), first->width()) << "a square picture and a line of words below it";
+  EXPECT_EQ(first->width(), second->width());
+  EXPECT_LT(first->right, second->left);
+}
+
+TEST(Readings, TheWordsBelowAPictureSayWhatItMovesMostWithoutNumbers) {
+  const auto brief = [](const std::string& words) {
+    return OfferedReading{words, {}, {}, document::NameFaceLine{}}.brief();
+  };
+  EXPECT_EQ(brief("lips pucker +0.30; jaw opens -0.10 and 2 more"), "lips pucker");
+  EXPECT_EQ(brief("smile -0.05"), "smile");
+  EXPECT_EQ(brief("without jaw opens"), "without jaw opens");
+  EXPECT_EQ(brief("without jaw opens; smile and 1 more"), "without jaw opens");
+  EXPECT_EQ(brief("mouth corner down, left +1.00"), "mouth corner down, left");
+  EXPECT_EQ(brief("inner lower lip"), "inner lower lip");
+}
+
 }  // namespace
 }  // namespace penpose::app

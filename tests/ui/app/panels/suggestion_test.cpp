@@ -124,7 +124,7 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
   desk.set("mouth_corner_L", 0.5);
   desk.press('g');
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
-  desk.click("##lock brow_inner_L");
+  desk.turn_lock("brow_inner_L");
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   EXPECT_EQ(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_L"), 0);
   EXPECT_GT(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_R"), 0.1);

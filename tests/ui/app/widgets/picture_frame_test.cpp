@@ -3,7 +3,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "ui/app/widgets/surface_picture.h"
 #include "ui/files/load_model.h"
 
 namespace penpose::app {
@@ -59,27 +58,6 @@ TEST(PictureFrame, AModelWithoutNamesOfAFaceIsShownWhole) {
     ASSERT_LE(std::abs(p.y - frames[0].middle.y), 0.5 * frames[0].side);
   }
   EXPECT_EQ(of(frames, FacePart::eyes).side, frames[0].side);
-}
-
-TEST(PictureFrame, AModelThatLooksBackIsSeenFromItsOwnFront) {
-  const auto model = files::load_model("builtin:demo");
-  ASSERT_TRUE(model.ok());
-  const rig::Pose rest = rig::rest_pose(*model->rig);
-  const PictureFrame face = of(picture_frames(*model), FacePart::all);
-  constexpr int k_px = 64;
-  document::Model back = *model;
-  back.front_yaw_degrees = 180;
-  std::vector<geometry::ModelPoint> turned(model->rig->vertex_count());
-  model->rig->evaluate(rest, turned);
-  for (auto& p : turned) p = {-p.x, p.y, -p.z};
-  const PictureFrame there{{-face.middle.x, face.middle.y, -face.middle.z}, face.side};
-  const auto wanted = surface_picture(turned, model->mesh->triangles(), there, k_px);
-  const auto seen = pose_pixels(back, rest, face, k_px);
-  ASSERT_EQ(seen.size(), wanted.size());
-  std::size_t differ = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) differ += std::abs(seen[i] - wanted[i]) > 2 ? 1U : 0U;
-  EXPECT_LT(differ, seen.size() / 100);
-  EXPECT_NE(seen, pose_pixels(*model, rest, face, k_px));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/expressions.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
@@ -46,14 +47,21 @@ rig::Pose posed(const document::Document& document, const document::SetParameter
   return pose;
 }
 
+/// The picture of a pose on a tile that comes next, as far as the tile is seen.
+std::optional<PosePictures::Corners> seen_picture(PanelContext& context, const PosePanelOwners& with,
+                                                  const document::SharedPose& pose, float width) {
+  if (!ImGui::IsRectVisible({width, picture_tile_height(context, width)})) return std::nullopt;
+  return context.pictures.place_of(with.editing, pose, with.panels.own.of<PosesShown>().choice.part);
+}
+
 /// A picture of a key, which chooses it.
 void show_picture(PanelContext& context, const PosePanelOwners& with, const document::PoseKey& key, float width) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
   const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
-  const PictureTile tile{width, context.pictures.place_of(with.editing.document(), key, choice.part),
-                         label.substr(0, label.find("##")), chosen};
+  const PictureTile tile{width, seen_picture(context, with, key.pose, width), label.substr(0, label.find("##")),
+                         chosen};
   const bool pressed = picture_tile(context, label.c_str(), tile);
   tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
   if (!pressed) return;
@@ -62,19 +70,39 @@ void show_picture(PanelContext& context, const PosePanelOwners& with, const docu
   choice.amount = 1;
 }
 
-/// The expressions that the model came with, by name: two in a row.
-void show_expressions(PanelContext& context, const PosePanelOwners& with) {
+/// Each expression of a model on its face at rest; made once for a model.
+struct ExpressionPoses {
+  std::shared_ptr<const document::Model> model;
+  std::vector<document::SharedPose> poses;
+
+  const std::vector<document::SharedPose>& of(const std::shared_ptr<const document::Model>& wanted) {
+    if (model == wanted) return poses;
+    model = wanted;
+    poses.clear();
+    for (const document::Expression& one : model->expressions) {
+      rig::Pose pose = rig::rest_pose(*model->rig);
+      document::set_expression(*model, one, 1, pose);
+      poses.emplace_back(std::move(pose));
+    }
+    return poses;
+  }
+};
+
+/// The expressions that the model came with, as pictures with their names.
+void show_expressions(PanelContext& context, const PosePanelOwners& with, const PictureRow& row) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   const auto model = with.editing.document().model;
   if (model->expressions.empty()) return;
   ImGui::TextUnformatted("Expressions of the model");
-  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const auto& poses = with.panels.own.of<ExpressionPoses>().of(model);
   for (std::size_t i = 0; i < model->expressions.size(); ++i) {
-    if (i % 2 == 1) ImGui::SameLine();
-    const std::string label = model->expressions[i].name + "##expression " + std::to_string(i);
-    if (!wide_button(context, label.c_str(), width, choice.expression == i,
-                     "A pose that came with the model. Touch to choose it, then take it by the slider below"))
-      continue;
+    if (i % static_cast<std::size_t>(row.across) != 0) ImGui::SameLine();
+    const std::string& name = model->expressions[i].name;
+    const PictureTile tile{row.width, seen_picture(context, with, poses[i], row.width), name, choice.expression == i};
+    const bool pressed = picture_tile(context, (name + "##expression " + std::to_string(i)).c_str(), tile);
+    tooltip(context,
+            (name + ": a pose that came with the model. Touch to choose it, then take it by the slider below").c_str());
+    if (!pressed) continue;
     choice.expression = i;
     choice.time_s = -1;
     choice.amount = 1;
@@ -83,14 +111,14 @@ void show_expressions(PanelContext& context, const PosePanelOwners& with) {
 
 void show_pictures(PanelContext& context, const PosePanelOwners& with, float height) {
   begin_list(context, "pictures", {0, height});
-  const auto [across, width] = picture_row(context, 4.0F * context.unit, height);
+  const PictureRow row = picture_row(context, 4.0F * context.unit, height);
   const auto held = with.editing.document().timeline;
   int column = 0;
   for (const std::size_t k : keys_shown(*held)) {
-    if (column++ % across != 0) ImGui::SameLine();
-    show_picture(context, with, held->keys[k], width);
+    if (column++ % row.across != 0) ImGui::SameLine();
+    show_picture(context, with, held->keys[k], row.width);
   }
-  show_expressions(context, with);
+  show_expressions(context, with, row);
   if (held->keys.empty()) {
     ImGui::TextWrapped(
         "No pose is keyed yet. Draw one, press Key, and give it a name: it can be taken again from here.");

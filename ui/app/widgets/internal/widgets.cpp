@@ -19,6 +19,20 @@ constexpr float k_icon = 0.56F;
 /// How dark the shade is behind a dialog.
 constexpr float k_shade = 0.45F;
 
+/// A padlock on a target, its bow turned aside where it is open.
+void draw_padlock(ImDrawList& list, const ImVec2& middle, float unit, bool closed, ImU32 ink) {
+  const float half = 0.17F * unit;
+  const float top = middle.y - 0.02F * unit;
+  list.AddRectFilled({middle.x - half, top}, {middle.x + half, top + 0.27F * unit}, ink, 0.04F * unit);
+  const float bow = 0.11F * unit;
+  const float x = closed ? middle.x : middle.x + 2 * bow;
+  const float foot = top - 0.06F * unit;
+  list.PathLineTo({x - bow, top});
+  list.PathArcTo({x, foot}, bow, k_pi, 2 * k_pi, 12);
+  if (closed) list.PathLineTo({x + bow, top});
+  list.PathStroke(ink, 0, 0.06F * unit);
+}
+
 }  // namespace
 
 void note(PanelContext& context, const char* label) {
@@ -203,21 +217,9 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
   const bool pressed = quiet_icon(context, label, {}, tip, locked);
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 ink = ImGui::GetColorU32(locked ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-  const float unit = context.unit;
-  const ImVec2 middle{0.5F * (least.x + most.x), 0.5F * (least.y + most.y)};
-  const float half = 0.17F * unit;
-  const float top = middle.y - 0.02F * unit;
-  list.AddRectFilled({middle.x - half, top}, {middle.x + half, top + 0.27F * unit}, ink, 0.04F * unit);
-  // The bow; that of an open one is turned aside.
-  const float bow = 0.11F * unit;
-  const float x = locked ? middle.x : middle.x + 2 * bow;
-  const float foot = top - 0.06F * unit;
-  list.PathLineTo({x - bow, top});
-  list.PathArcTo({x, foot}, bow, k_pi, 2 * k_pi, 12);
-  if (locked) list.PathLineTo({x + bow, top});
-  list.PathStroke(ink, 0, 0.06F * unit);
+  const ImU32 ink = locked ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  draw_padlock(*ImGui::GetWindowDrawList(), {0.5F * (least.x + most.x), 0.5F * (least.y + most.y)}, context.unit,
+               locked, ink);
   return pressed;
 }
 
@@ -274,6 +276,13 @@ void scrolls_by_drag(PanelContext& context) {
   if (!context.scrolled || context.scrolled->first != id) return;
   const float to = ImGui::GetScrollY() - static_cast<float>(context.scrolled->second);
   ImGui::SetScrollY(std::clamp(to, 0.0F, ImGui::GetScrollMaxY()));
+}
+
+void holds_presses(PanelContext& context) {
+  if (ImGui::GetScrollMaxY() > 0) return;
+  const ImVec2 from = ImGui::GetWindowPos();
+  context.scrolls.push_back(
+      {{from.x, from.y, from.x + ImGui::GetWindowWidth(), from.y + ImGui::GetWindowHeight()}, ImGui::GetID("scrolls")});
 }
 
 void begin_list(PanelContext& context, const char* name, const ImVec2& size, bool border) {
@@ -371,12 +380,16 @@ bool control_slider(PanelContext& context, const char* id, double& value, double
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.2f", value);
   const float pad = 0.3F * unit;
-  const float wide = look.numbered ? ImGui::CalcTextSize(number.data()).x : 0;
+  const bool under_pen = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  const bool numbered = look.numbered && !look.locked && (!look.shy || look.changes || under_pen);
+  const float wide = numbered ? ImGui::CalcTextSize(number.data()).x : 0;
   const float y = 0.5F * (from.y + to.y - ImGui::GetFontSize());
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   list.AddText({from.x + pad, y}, ink, fitted_text(look.shown, to.x - from.x - wide - 3 * pad).c_str());
-  if (look.numbered) list.AddText({to.x - pad - wide, y}, ink, number.data());
+  if (numbered) list.AddText({to.x - pad - wide, y}, ink, number.data());
   ImGui::EndDisabled();
+  if (look.locked)
+    draw_padlock(list, {to.x - pad, 0.5F * (from.y + to.y)}, unit, true, ImGui::GetColorU32(ImGuiCol_Text));
   return moved && !look.locked;
 }
 

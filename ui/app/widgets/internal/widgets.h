@@ -62,6 +62,9 @@ bool begin_panel(PanelContext& context, const char* name, const Area& area, bool
 void end_panel();
 /// What is in the current window is scrolled by dragging it, too, where it has not all room.
 void scrolls_by_drag(PanelContext& context);
+/// What is pressed in the current window waits until it is let go or moves to the side, as where something scrolls: a
+/// press that rests may then ask for a menu.
+void holds_presses(PanelContext& context);
 /// A list that scrolls; `ImGui::EndChild` behind it. `size` as ImGui::BeginChild has it.
 void begin_list(PanelContext& context, const char* name, const ImVec2& size, bool border = false);
 /// A dialog in the middle of the window.
@@ -77,6 +80,8 @@ struct SliderLook {
   double rest = 0;    ///< from where it is filled
   bool locked = false;
   bool numbered = true;  ///< shows its value, which `shown` may say in other words
+  bool shy = false;      ///< shows it under the pointer and while it changes alone
+  bool changes = false;  ///< it does
 };
 /// The same with more to say; one that is locked does not move.
 bool control_slider(PanelContext& context, const char* id, double& value, double least, double most,

@@ -87,6 +87,25 @@ class Desk {
     click("Menu");
     click(section + "##section");
   }
+  /// Moves the pointer onto something, without a press.
+  void hover(const std::string& label) {
+    const Area* area = interface->find(label);
+    ASSERT_NE(area, nullptr) << "nothing on the screen says " << label;
+    app->of<Pointer>().moved(area->middle());
+    frames();
+  }
+  /// Locks a control in the list, or frees it, by its row's menu.
+  void turn_lock(const std::string& name) {
+    std::string row = "row " + name;
+    if (interface->find(row) == nullptr) row.back() = 'L';
+    ASSERT_TRUE(click(row));
+    for (const auto& [label, area] : interface->targets()) {
+      if (!label.ends_with("##lock " + name) || label.find("both") != std::string::npos) continue;
+      click(std::string(label));
+      return;
+    }
+    FAIL() << "no menu locks " << name;
+  }
   void press(std::uint32_t key, bool ctrl = false, bool shift = false) {
     app->of<Actions>().press({key, ctrl, shift});
     frames();
