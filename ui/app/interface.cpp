@@ -8,6 +8,7 @@
 
 #include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/timeline/camera_strip.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
@@ -211,6 +212,7 @@ void Interface::show_all(PanelContext& context) {
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
+  bottom += camera_strip_height(context, app_.of<CameraDesk>());
   // There is room for the bar before it is there, so that the model stays where it is.
   if (app_.of<ToolInHand>().now().shows_ghosts) bottom += 0.6 * unit + gap;
   if (most < bottom) {

@@ -18,6 +18,8 @@
 #include "core/document/commands/list/target_commands.h"
 #include "core/document/commands/list/time/clip_commands.h"
 #include "core/document/commands/list/time_commands.h"
+#include "core/document/commands/list/view/camera_commands.h"
+#include "core/document/commands/list/view/reference_commands.h"
 
 // The commands: the only way to change a document. Each is a plain struct that says what it is called and, in
 // `members`, what its members are called in files, with a function `run` that makes the changed document. A header of
@@ -37,9 +39,9 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 /// The types of all commands. No value of this type is made: its members would be compiled wherever a command is used.
-using CommandTypes =
-    JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands, CorrectionCommands,
-                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands, FeatureCommands>::Type;
+using CommandTypes = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
+                                 CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands,
+                                 ClipCommands, FeatureCommands, CameraCommands, ReferenceCommands>::Type;
 
 template <typename One, typename Types = CommandTypes>
 inline constexpr std::size_t k_index_of = static_cast<std::size_t>(-1);

@@ -12,6 +12,7 @@
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/timeline/camera_strip.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/keys.h"
@@ -338,7 +339,7 @@ void show_buttons(PanelContext& context, const TimelineOwners& with) {
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
                    Dialogs& dialogs, PanelState& panels, SoundTrack& sound, FirstPass& pass, OverlapOffer& overlap,
-                   GhostHand& ghosts, ToolInHand& tool) {
+                   GhostHand& ghosts, ToolInHand& tool, CameraDesk& cameras) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
@@ -352,6 +353,10 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
       if (tool.now().shows_ghosts) show_ghost_reach(context, with);
       beside_strip(context, with, [&](float width) { show_breakdown(context, with, width); });
       show_keys(context, with);
+      beside_strip(context, with, [&](float width) {
+        if (cameras.moves()) show_camera_name(context, cameras, width);
+      });
+      show_camera_strip(context, with, cameras);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
       const SpokenSound said{pass.words(), editing.document().spoken.get()};
       show_sound_strip(context, sound, said, playback, shown_moments(with).from, shown_moments(with).span);
