@@ -80,7 +80,8 @@ bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
          document.views.empty() && !document.face && !document.neutral && !document.sound && document.mouths.empty() &&
-         !document.spoken && !document.words && !document.bookmarks && document.clips.empty();
+         !document.spoken && !document.words && !document.bookmarks && document.clips.empty() && !document.camera &&
+         !document.reference;
 }
 
 namespace {

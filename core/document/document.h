@@ -17,6 +17,8 @@
 #include "core/document/time/bookmark.h"
 #include "core/document/time/clips/clip.h"
 #include "core/document/time/timeline.h"
+#include "core/document/view/camera_track.h"
+#include "core/document/view/reference_picture.h"
 
 namespace penpose::document {
 
@@ -67,10 +69,13 @@ inline constexpr std::size_t k_most_taken = 64;
 /// TakenReading::by is at most this.
 inline constexpr double k_most_taught = 1000.0;
 
+/// Views have the keys 1 to 9.
+inline constexpr std::uint32_t k_view_keys = 9;
 /// A named view.
 struct NamedView {
   std::string name;
   View view;
+  std::uint32_t key = 0;  ///< 1..9: the key that goes there, which no other view has; 0: none
   friend bool operator==(const NamedView&, const NamedView&) = default;
 };
 
@@ -97,11 +102,13 @@ struct Document {
   std::shared_ptr<const FaceDrawing> neutral;            ///< the face at rest as the artist draws it; null: not known
   std::shared_ptr<const std::vector<TakenReading>> taken;  ///< later lines follow them, the latest last; null: none
   std::vector<std::shared_ptr<const NamedView>> views;
-  std::shared_ptr<const SoundReference> sound;  ///< beside the timeline; null: none
-  Mouths mouths;                                ///< in the order in which they were first kept
-  std::shared_ptr<const SpokenMouths> spoken;   ///< what KeyMouths keyed last; null: nothing
-  std::shared_ptr<const SpokenWords> words;     ///< said in the sound; null: they are not known
-  std::shared_ptr<const Bookmarks> bookmarks;   ///< of the clip that is shown; null: none
+  std::shared_ptr<const CameraTrack> camera;          ///< that moves along the timeline; null: none
+  std::shared_ptr<const ReferencePicture> reference;  ///< that one animates after; null: none
+  std::shared_ptr<const SoundReference> sound;        ///< beside the timeline; null: none
+  Mouths mouths;                                      ///< in the order in which they were first kept
+  std::shared_ptr<const SpokenMouths> spoken;         ///< what KeyMouths keyed last; null: nothing
+  std::shared_ptr<const SpokenWords> words;           ///< said in the sound; null: they are not known
+  std::shared_ptr<const Bookmarks> bookmarks;         ///< of the clip that is shown; null: none
 };
 
 /// A new document of a model: its pose, no curves, no keys.

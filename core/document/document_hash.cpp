@@ -76,6 +76,17 @@ void add_digest(StateHash& hash, const base::Hash128& digest) {
   hash.add(digest.low);
 }
 
+void add_reference(StateHash& hash, const ReferencePicture& picture) {
+  hash.add("reference");
+  hash.add(picture.file);
+  add_digest(hash, picture.content);
+  hash.add(std::uint64_t{picture.beside});
+  add_vector(hash, picture.middle);
+  for (const double value :
+       {picture.offset_s, picture.opacity, picture.height, picture.card.x, picture.card.y, picture.card_height})
+    hash.add(value);
+}
+
 base::Hash128 hash_deformers(const Document& document) {
   StateHash hash;
   if (document.model->deformers) articulation::add_to_hash(hash, *document.model->deformers);
@@ -182,6 +193,15 @@ void add_clip(StateHash& hash, const Document& document, std::size_t number, con
   if (clip.bookmarks) add_bookmarks(hash, *clip.bookmarks);
 }
 
+void add_camera(StateHash& hash, const CameraTrack& track) {
+  hash.add("camera");
+  for (const CameraKey& key : track.keys) {
+    hash.add(key.time_s);
+    add_view(hash, key.view);
+    hash.add(static_cast<std::uint64_t>(key.kind));
+  }
+}
+
 base::Hash128 hash_keys(const Document& document, const base::Hash128& animations, const HashForm& form) {
   StateHash hash;
   // The two kinds that timelines had: 0, straight, and 1, smooth.
@@ -196,6 +216,7 @@ base::Hash128 hash_keys(const Document& document, const base::Hash128& animation
   add_digest(hash, animations);
   add_sound(hash, document);
   if (document.bookmarks) add_bookmarks(hash, *document.bookmarks);
+  if (document.camera) add_camera(hash, *document.camera);
   return hash.digest();
 }
 
@@ -239,7 +260,10 @@ base::Hash128 DocumentHasher::hash_curves(const Document& document) {
   for (const auto& named : document.views) {
     hash.add(named->name);
     add_view(hash, named->view);
+    // Views of before they had keys are hashed as ever.
+    if (named->key != 0) hash.add(std::uint64_t{named->key});
   }
+  if (document.reference) add_reference(hash, *document.reference);
   if (document.face) add_face(hash, "face", *document.face);
   if (document.neutral) add_face(hash, "neutral", *document.neutral);
   return hash.digest();

@@ -4,6 +4,7 @@
 
 #include "ui/app/action.h"
 #include "ui/app/controls/control_actions.h"
+#include "ui/app/camera/camera_actions.h"
 #include "ui/app/face/neutral_face.h"
 #include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
@@ -176,6 +177,7 @@ void read_anew(const Files& files, Leaving& leaving, void (*change)(io::Orientat
 }
 
 constexpr KeyStroke plain(std::uint32_t key) { return plain_key(key); }
+constexpr KeyStroke pad(std::uint32_t digit) { return plain_key(pad_key(digit)); }
 constexpr KeyStroke ctrl(std::uint32_t key) { return {key, true, false}; }
 constexpr KeyStroke ctrl_shift(std::uint32_t key) { return {key, true, true}; }
 constexpr KeyStroke shift(std::uint32_t key) { return {key, false, true}; }
@@ -201,27 +203,27 @@ constexpr std::array k_actions{
      does([](EditingSession& editing) { editing.perform(document::ResetParameters{}); })},
     ActionInfo{{"cancel"}, "Cancel", plain(k_key_escape), {}, "Give up what is being drawn",
      "M6 6L18 18M18 6L6 18", does<cancel>},
-    ActionInfo{{"view_front"}, "Front", plain('1'), {}, "Look from the front",
+    ActionInfo{{"view_front"}, "Front", shift('1'), pad(1), "Look from the front",
      "C12 11 7M12 8L12 12M9 15L15 15", does([](Canvas& canvas) { look(canvas, "front"); })},
-    ActionInfo{{"view_side"}, "Side", plain('3'), {}, "Look from the side",
+    ActionInfo{{"view_side"}, "Side", shift('3'), pad(3), "Look from the side",
      "M8 4L14 4L17 9L19 13L16.5 13.5L16 18L12 19L12 21M8 4L6 9L8 15L8 21",
      does([](Canvas& canvas) { look(canvas, "side"); })},
-    ActionInfo{{"view_three_quarter"}, "3/4", plain('2'), plain('7'), "Look from between front and side",
+    ActionInfo{{"view_three_quarter"}, "3/4", shift('2'), pad(7), "Look from between front and side",
      "C12 11 7M14 8L15 12M11 15L16 14", does([](Canvas& canvas) { look(canvas, "three-quarter"); })},
     ActionInfo{{"frame_all"}, "Whole figure", plain(k_key_home), plain('f'), "Show all of the model",
      "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15", does([](Canvas& canvas) { canvas.frame_all(); })},
     ActionInfo{{"frame_face"}, "Face", shift('f'), {}, "Show the face: where most controls work",
      "C12 12 8M9 10L9 10.5M15 10L15 10.5M9 15.5L15 15.5", does([](Canvas& canvas) { canvas.frame_face(); })},
-    ActionInfo{{"orbit_left"}, "Turn left", plain(k_key_left), plain('4'), "Turn the view",
+    ActionInfo{{"orbit_left"}, "Turn left", plain(k_key_left), pad(4), "Turn the view",
      "A12 12 8 100 330M4 12L4 18L10 18",
      does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, -k_turn_degrees, 0); })},
-    ActionInfo{{"orbit_right"}, "Turn right", plain(k_key_right), plain('6'), "Turn the view",
+    ActionInfo{{"orbit_right"}, "Turn right", plain(k_key_right), pad(6), "Turn the view",
      "A12 12 8 -150 80M20 12L20 18L14 18",
      does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, k_turn_degrees, 0); })},
-    ActionInfo{{"orbit_up"}, "Turn up", plain(k_key_up), plain('8'), "Turn the view",
+    ActionInfo{{"orbit_up"}, "Turn up", plain(k_key_up), pad(8), "Turn the view",
      "M12 20L12 5M6 11L12 5L18 11",
      does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, 0, k_turn_degrees); })},
-    ActionInfo{{"orbit_down"}, "Turn down", plain(k_key_down), {}, "Turn the view",
+    ActionInfo{{"orbit_down"}, "Turn down", plain(k_key_down), pad(2), "Turn the view",
      "M12 4L12 19M6 13L12 19L18 13",
      does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, 0, -k_turn_degrees); })},
     ActionInfo{{"zoom_in"}, "Nearer", plain('+'), plain('='), "Zoom in",
@@ -362,20 +364,20 @@ constexpr std::array k_actions{
      "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:rig"); })},
     ActionInfo{{"tour_animate"}, "Tour: animate", {}, {}, "Two keys and a smile between them",
      "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:animate"); })},
-    ActionInfo{{"flat_view"}, "Flat", plain('5'), {}, "Look without perspective, as a drawing does; again: with it",
+    ActionInfo{{"flat_view"}, "Flat", shift('5'), pad(5), "Look without perspective, as a drawing does; again: with it",
      "M5 8L14 8L14 17L5 17Z M5 8L9 4L18 4L14 8M18 4L18 13L14 17",
      does([](Canvas& canvas) { canvas.set_flat(!canvas.flat()); })},
     ActionInfo{{"set_front"}, "Front is here", {}, {},
      "From here on this side is the model's front; the project keeps it",
      "C12 9 5M4 20A12 20 8 180 360", does([](Canvas& canvas) { canvas.set_front(); })},
-    ActionInfo{{"backdrop"}, "Picture behind", {}, {},
-     "A picture, or the frames of a film, behind the model to draw after",
+    ActionInfo{{"backdrop"}, "Reference", {}, {},
+     "A picture or a film behind the model or beside it, to animate after; the project keeps where it is",
      "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16", does<adjust_backdrop>},
     ActionInfo{{"preferences"}, "Preferences", ctrl(','), {}, "View, pen, keys, time and folders, as they are kept",
      "C12 12 3M12 3L12 6M12 18L12 21M3 12L6 12M18 12L21 12M6 6L8 8M16 16L18 18M18 6L16 8M6 18L8 16",
      does([](Dialogs& dialogs) { dialogs.show(Dialog{"preferences"}); })},
-    ActionInfo{{"backdrop_off"}, "No picture", {}, {}, "Take the picture behind the model away",
-     "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", does([](CanvasLook& look) { look.backdrop.reset(); })},
+    ActionInfo{{"backdrop_off"}, "No reference", {}, {}, "Take the picture or the film away",
+     "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", does([](ReferenceDesk& references) { references.remove(); })},
 };
 // clang-format on
 
@@ -397,6 +399,8 @@ std::vector<ActionInfo> made_actions() {
   all.insert(all.end(), of_controls.begin(), of_controls.end());
   const auto of_time = time_actions();
   all.insert(all.end(), of_time.begin(), of_time.end());
+  const auto of_cameras = camera_actions();
+  all.insert(all.end(), of_cameras.begin(), of_cameras.end());
   return all;
 }
 

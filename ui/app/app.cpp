@@ -8,6 +8,7 @@
 
 #include "ui/app/view/backdrop.h"
 #include "ui/app/view/user_messages.h"
+#include "ui/files/process/own_program.h"
 
 namespace penpose::app {
 namespace {
@@ -22,6 +23,12 @@ constexpr int k_film_look_ms = 200;
 constexpr std::int64_t k_longest_step_us = 200'000;
 
 std::string sessions_in(const std::string& state) { return state.empty() ? state : state + "/sessions"; }
+
+/// Where pictures of films are kept.
+std::string films_in(const Folders& folders) {
+  const std::string& folder = folders.cache.empty() ? folders.state : folders.cache;
+  return (folder.empty() ? std::string("/tmp/penpose") : folder) + "/films";
+}
 
 }  // namespace
 
@@ -41,6 +48,7 @@ App::App(AppOptions options)
       playback_(options_.clock, editing_, notices_, preferences_),
       keys_(editing_, notices_, playback_),
       overlap_(editing_, playback_, keys_, notices_),
+      cameras_(editing_, canvas_, playback_, player_, notices_),
       performer_(editing_, notices_, playback_, player_),
       ghosts_({editing_, playback_, notices_, canvas_, look_}),
       tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
@@ -50,12 +58,14 @@ App::App(AppOptions options)
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, features_, [this] { show_anew(); }}),
       sound_(editing_, notices_, playback_, files_),
+      references_({editing_, canvas_, look_, playback_, notices_, files_, films_in(options_.folders)}),
       film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
       mouths_(editing_, notices_, playback_),
       first_pass_(editing_, notices_, playback_, sound_),
       shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
-      system_dialogs_({options_.clock, canvas_, look_, files_, leaving_, sound_, dialogs_, notices_, preferences_}),
+      system_dialogs_({options_.clock, references_, files_, leaving_, sound_, dialogs_, notices_, preferences_}),
+      drops_({editing_, notices_, dialogs_, leaving_, sound_, references_, playback_, files::own_program()}),
       recovery_(sessions_in(options_.folders.state), files_, notices_, actions_),
       bindings_(editing_, preferences_, desk_, tablets_, options_.panel),
       place_(options_.clock),
@@ -73,7 +83,8 @@ App::App(AppOptions options)
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
-              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_, restriction_) {
+              sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_, restriction_,
+              cameras_, references_, drops_) {
   dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
@@ -102,6 +113,7 @@ void App::show_anew() {
   curves_.forget();
   mouths_.forget();
   canvas_.begin();
+  cameras_.begin();
   undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
 }
@@ -138,6 +150,9 @@ void App::advance() {
   dials_.follow();
   playback_.advance(now);
   sound_.follow(now);
+  cameras_.follow();
+  references_.follow();
+  drops_.follow();
   first_pass_.follow();
   controls_.swing(now);
   features_.follow(playback_.time_s(), playback_.playing() || performer_.performing());
@@ -234,7 +249,8 @@ int App::next_frame_ms() {
   if (dials_.waits()) return k_dial_look_ms;
   if (film_.writes()) return k_film_look_ms;
   if (first_pass_.listens()) return k_dial_look_ms;
-  if (look_.backdrop && look_.backdrop->loading()) return k_playing_frame_ms;
+  if ((look_.backdrop && look_.backdrop->loading()) || references_.reads() != nullptr) return k_playing_frame_ms;
+  if (!drops_.reads().empty()) return k_film_look_ms;
   if (keys_.shines() && !options_.slow_screen) return k_playing_frame_ms;
   if (ghosts_.waits()) return k_dial_look_ms;
   int next_ms = -1;

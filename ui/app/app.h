@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ui/app/actions.h"
+#include "ui/app/camera/camera_desk.h"
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/canvas/curves_in_hand.h"
 #include "ui/app/canvas/undrawn_textures.h"
@@ -13,6 +14,7 @@
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
 #include "ui/app/face/kept_features.h"
+#include "ui/app/files/drop_desk.h"
 #include "ui/app/files/files.h"
 #include "ui/app/files/leaving.h"
 #include "ui/app/files/player.h"
@@ -34,6 +36,7 @@
 #include "ui/app/playback/sheet/overlap_offer.h"
 #include "ui/app/poses/pose_shelf.h"
 #include "ui/app/preferences.h"
+#include "ui/app/reference/reference_desk.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
 #include "ui/app/sound/sound_track.h"
@@ -107,6 +110,7 @@ class App {
   Playback playback_;
   Keys keys_;
   OverlapOffer overlap_;
+  CameraDesk cameras_;
   Performer performer_;
   SuggestionOffer offer_;
   ReadingOffer readings_;
@@ -118,12 +122,14 @@ class App {
   UndrawnTextures undrawn_;
   Files files_;
   SoundTrack sound_;
+  ReferenceDesk references_;
   FilmWriter film_;
   KeptMouths mouths_;
   FirstPass first_pass_;
   PoseShelf shelf_;
   Leaving leaving_;
   SystemDialogs system_dialogs_;
+  DropDesk drops_;
   Recovery recovery_;
   HandDesk desk_;
   KnownTablets tablets_;
@@ -141,7 +147,8 @@ class App {
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
-             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&, Restriction&>
+             GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&, Restriction&, CameraDesk&,
+             ReferenceDesk&, DropDesk&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -9,6 +9,7 @@
 #include "ui/app/panels/panel_parts.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/panels/side/side_width.h"
+#include "ui/app/panels/timeline/camera_strip.h"
 #include "ui/app/sound/sound_strip.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/font_file.h"
@@ -250,6 +251,7 @@ void Interface::show_all(PanelContext& context) {
   // The sheet and the curves take what the canvas can spare.
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
+  bottom += camera_strip_height(context, app_.of<CameraDesk>());
   bottom = timeline_height(bottom, most, unit + 2 * gap, std::min(6 * unit, 0.35 * height));
   double left = static_cast<double>(toolbar_layout(context, static_cast<float>(height - bottom - top)).width);
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.

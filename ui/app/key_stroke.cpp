@@ -29,11 +29,15 @@ constexpr std::array<std::pair<std::uint32_t, std::string_view>, 16> k_names{{{k
                                                                               {' ', "Space"},
                                                                               {'|', "Bar"}}};
 
+/// Before a digit of the keypad.
+constexpr std::string_view k_pad = "Num";
+
 std::string key_name(std::uint32_t key) {
   for (const auto& [named, name] : k_names) {
     if (named == key) return std::string(name);
   }
   if (key >= k_key_f1 && key < k_key_f1 + k_function_keys) return "F" + std::to_string(key - k_key_f1 + 1);
+  if (key >= pad_key(0) && key <= pad_key(9)) return std::string(k_pad).append(std::to_string(key - k_key_pad_0));
   if (key < 128) return {base::upper(static_cast<char>(key))};
   return base::utf8_of(static_cast<char32_t>(key));
 }
@@ -59,6 +63,10 @@ std::uint32_t key_named(std::string_view name) {
     const auto number = base::parse_int(name.substr(1));
     if (number && *number >= 1 && *number <= static_cast<std::int64_t>(k_function_keys))
       return k_key_f1 + static_cast<std::uint32_t>(*number) - 1;
+  }
+  if (name.starts_with(k_pad)) {
+    const auto digit = base::parse_int(name.substr(k_pad.size()));
+    if (digit && *digit >= 0 && *digit <= 9) return pad_key(static_cast<std::uint32_t>(*digit));
   }
   return character_of(name);
 }

@@ -27,6 +27,10 @@ inline constexpr std::uint32_t k_key_f1 = 0x110100;
 inline constexpr std::uint32_t k_key_f11 = k_key_f1 + 10;
 inline constexpr std::uint32_t k_function_keys = 24;
 
+/// 0 of the keypad, the other digits behind it.
+inline constexpr std::uint32_t k_key_pad_0 = 0x110200;
+[[nodiscard]] constexpr std::uint32_t pad_key(std::uint32_t digit) { return k_key_pad_0 + digit; }
+
 struct KeyStroke {
   std::uint32_t key = 0;  ///< the character without shift, in lower case, or one of the constants; 0: none
   bool ctrl = false;

@@ -26,6 +26,7 @@ struct PxPart {
 /// How frames look.
 struct FrameLook {
   geometry::Camera camera;
+  bool moves = false;  ///< the camera that the document has on its timeline is taken, and `camera` only its size
   std::optional<PxPart> part{};  ///< of what the camera shows; nothing: all of it
   bool wireframe = false;
   bool matcap = false;           ///< render::Scene::matcap
@@ -34,7 +35,8 @@ struct FrameLook {
   FilmGhosts* ghosts = nullptr;  ///< the face before and after; null: it is not shown
 };
 
-/// The frames of a document's timeline or, where nothing is keyed, of its model's first animation.
+/// The frames of a document's timeline or, where nothing is keyed, of its model's first animation. A camera that is
+/// keyed is enough.
 class FilmFrames {
  public:
   /// Errors: nothing is keyed and the model has no animation.
@@ -48,6 +50,9 @@ class FilmFrames {
   [[nodiscard]] double rate() const { return rate_; }
   /// The model as it is at a frame. Errors of the rig.
   [[nodiscard]] base::Result<document::Model> at(int frame) const;
+  /// What the camera of the timeline shows at a frame in a part of a picture; nothing: no camera is keyed.
+  [[nodiscard]] std::optional<geometry::Camera> camera_at(int frame, geometry::Viewport whole,
+                                                          const std::optional<PxPart>& part) const;
 
  private:
   FilmFrames() = default;

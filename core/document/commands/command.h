@@ -19,6 +19,8 @@
 #include "core/document/commands/list/time/bookmark_commands.h"
 #include "core/document/commands/list/time/clip_commands.h"
 #include "core/document/commands/list/time_commands.h"
+#include "core/document/commands/list/view/camera_commands.h"
+#include "core/document/commands/list/view/reference_commands.h"
 
 // The commands: the only way to change a document. Each is a plain struct that says what it is called and, in
 // `members`, what its members are called in files, with a function `run` that makes the changed document. A header of
@@ -40,7 +42,8 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
 /// The types of all commands. No value of this type is made: its members would be compiled wherever a command is used.
 using CommandTypes = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
                                  CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands,
-                                 ClipCommands, FeatureCommands, BookmarkCommands>::Type;
+                                 ClipCommands, FeatureCommands, BookmarkCommands, CameraCommands,
+                                 ReferenceCommands>::Type;
 
 template <typename One, typename Types = CommandTypes>
 inline constexpr std::size_t k_index_of = static_cast<std::size_t>(-1);

@@ -150,6 +150,25 @@ std::vector<Change> changes() {
       {"bookmarks", "keys", [](D& d) { d.bookmarks = std::make_shared<const Bookmarks>(1); }},
       {"view's name", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.name = "side"; }); }},
       {"view", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.view.camera.eye.y = 1; }); }},
+      {"key of a view", "curves", [](D& d) { on_view(d, [](NamedView& v) { v.key = 3; }); }},
+      {"reference", "curves",
+       [](D& d) {
+         d.reference = std::make_shared<const ReferencePicture>(ReferencePicture{"a.png", {}});
+       }},
+      {"place of the reference", "curves",
+       [](D& d) {
+         ReferencePicture picture{"a.png", {}};
+         picture.card.x = 0.5;
+         d.reference = std::make_shared<const ReferencePicture>(picture);
+       }},
+      {"camera", "keys",
+       [](D& d) {
+         d.camera = std::make_shared<const CameraTrack>(CameraTrack{{{1, d.views[0]->view, KeyKind::smooth}}});
+       }},
+      {"cut of the camera", "keys",
+       [](D& d) {
+         d.camera = std::make_shared<const CameraTrack>(CameraTrack{{{1, d.views[0]->view, KeyKind::stepped}}});
+       }},
       {"no view", "curves", [](D& d) { d.views.clear(); }},
       {"curve of the model", "curves", [](D& d) { on_model(d, [](Model& m) { m.curves[0].name = "lip"; }); }},
   };

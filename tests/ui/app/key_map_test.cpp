@@ -12,11 +12,12 @@ TEST(KeyStroke, WhatIsShownIsReadAgain) {
   for (const KeyStroke& key :
        {k_q, k_ctrl_z, KeyStroke{'+', true, false}, KeyStroke{' ', false, true}, KeyStroke{k_key_f1 + 11, true, true},
         KeyStroke{'|', false, false}, KeyStroke{0xF6, false, false}, KeyStroke{0x1F600, true, false},
-        KeyStroke{k_key_page_up, false, false}, KeyStroke{'=', false, false}, KeyStroke{'f', false, true}}) {
+        KeyStroke{k_key_page_up, false, false}, KeyStroke{pad_key(7), false, true}, KeyStroke{'=', false, false},
+        KeyStroke{'f', false, true}}) {
     EXPECT_EQ(parse_shortcut(shortcut_text(key)), key) << shortcut_text(key);
   }
   EXPECT_EQ(shortcut_text({'z', true, true}), "Ctrl+Shift+Z");
-  for (const char* none : {"", "Ctrl+", "Shift+Ctrl+Q", "F25", "F0", "QQ", "Hyper+Q", "\x01", "\xff", "\xc3"})
+  for (const char* none : {"", "Ctrl+", "Shift+Ctrl+Q", "F25", "F0", "Num10", "QQ", "Hyper+Q", "\x01", "\xff", "\xc3"})
     EXPECT_FALSE(parse_shortcut(none)) << none;
 }
 

@@ -153,21 +153,4 @@ void Canvas::set_flat(bool on) {
   view_.camera = with_field_of_view(view_.camera, on ? k_flat_degrees : k_usual_degrees);
 }
 
-bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path) {
-  geometry::Box box;
-  for (const glm::vec3& p : canvas.surface().positions()) box.add(geometry::ModelPoint(p));
-  const bool empty = canvas.surface().positions().empty();
-  auto made = Backdrop::open(path, empty ? geometry::ModelPoint(0) : box.center(),
-                             empty ? 1.0 : std::max(box.maximum.y - box.minimum.y, 0.1 * box.diagonal()));
-  if (!made) {
-    notices.tell(made.error().line(path), true);
-    return false;
-  }
-  look.backdrop = std::move(*made);
-  const std::size_t frames = look.backdrop->frame_count();
-  notices.tell(frames > 1 ? std::to_string(frames) + " pictures, one a frame: drag them to where they fit, then Done"
-                          : "Drag the picture to where it fits, the wheel sizes it, then Done");
-  return true;
-}
-
 }  // namespace penpose::app

@@ -16,7 +16,7 @@
 
 namespace penpose::app {
 
-/// How the canvas is shown. Nothing of it is saved.
+/// How the canvas is shown. Nothing of it is saved; the picture is what the document refers to.
 struct CanvasLook {
   bool wireframe = false;
   bool clay = false;         ///< without textures and colours of the file
@@ -25,7 +25,7 @@ struct CanvasLook {
   render::GhostLook ghosts;  ///< at which ones, and how
   bool ghosts_in_films = false;
   bool fullscreen = false;             ///< of the window
-  std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
+  std::shared_ptr<Backdrop> backdrop;  ///< a picture that one animates after; null: none
 };
 
 /// What the canvas shows over the model, as of the last frame.
@@ -108,8 +108,5 @@ class Canvas {
   bool frames_face_ = false;  ///< where it frames, the face and not all
   bool framed_ = false;       ///< the view still frames the model: it follows the window's size
 };
-
-/// Puts a picture, or the frames of a film, behind the model. False, and said why, where it cannot be read.
-bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path);
 
 }  // namespace penpose::app

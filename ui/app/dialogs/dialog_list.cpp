@@ -27,13 +27,15 @@ void show_shortcuts_dialog(PanelContext&, EditingSession&, Playback&, Preference
 void show_search_dialog(PanelContext&, EditingSession&, Playback&, Preferences&, Leaving&, Dialogs&, PanelState&);
 void show_history_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
 void show_film_dialog(PanelContext&, EditingSession&, Playback&, FilmWriter&, Files&, Dialogs&);
-void show_backdrop_dialog(PanelContext&, Canvas&, CanvasLook&, Files&, Notices&, Preferences&, Dialogs&);
+void show_backdrop_dialog(PanelContext&, ReferenceDesk&, Files&, Preferences&, Dialogs&);
 void show_preferences_dialog(PanelContext&, const EditingSession&, Playback&, Preferences&, const Recording&,
                              const SystemDialogs&, Dialogs&, PanelState&, PoseShelf&);
 void show_keyboard_dialog(PanelContext&, Preferences&, Dialogs&);
 void show_sound_dialog(PanelContext&, EditingSession&, SoundTrack&, Files&, Preferences&, Dialogs&);
 void show_bookmark_dialog(PanelContext&, EditingSession&, const Playback&, Dialogs&);
 void show_clips_dialog(PanelContext&, EditingSession&, Playback&, Dialogs&);
+void show_drop_dialog(PanelContext&, DropDesk&);
+void show_cameras_dialog(PanelContext&, EditingSession&, CameraDesk&, Dialogs&);
 void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
                             Dialogs&);
 void show_model_notes_dialog(PanelContext&, const EditingSession&, const UndrawnTextures&);
@@ -83,6 +85,8 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog{"bookmark"}, show<show_bookmark_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
     DialogRow{Dialog{"model notes"}, show<show_model_notes_dialog>},
+    DialogRow{Dialog{"drop"}, show<show_drop_dialog>},
+    DialogRow{Dialog{"cameras"}, show<show_cameras_dialog>},
     DialogRow{Dialog{"first pass"}, show<show_first_pass_dialog>},
 };
 

@@ -11,6 +11,7 @@
 #include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
+#include "ui/app/reference/reference_desk.h"
 #include "ui/app/sound/sound_track.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -86,14 +87,14 @@ void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Pre
   end_dialog();
 }
 
-void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& look, Files& files, Notices& notices,
-                          Preferences& preferences, Dialogs& dialogs) {
+void show_backdrop_dialog(PanelContext& context, ReferenceDesk& references, Files& files, Preferences& preferences,
+                          Dialogs& dialogs) {
   const FileDialogsOwners with{files, preferences, dialogs};
-  if (begin_dialog(context, "A picture behind the model", k_file_dialog_wide)) {
-    ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, with, {picture_kinds(), 8});
+  if (begin_dialog(context, "A picture or a film to animate after", k_file_dialog_wide)) {
+    ImGui::TextDisabled("PNG, JPEG, or a film through ffmpeg; of numbered pictures all are taken, one a frame");
+    const std::string chosen = browse(context, with, {reference_kinds(), 8});
     if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
-    if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
+    if (!chosen.empty() && references.open(chosen)) {
       dialogs.close();
       dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
     }

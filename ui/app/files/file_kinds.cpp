@@ -43,6 +43,16 @@ const std::vector<FileKind>& picture_kinds() {
   return kinds;
 }
 
+const std::vector<FileKind>& reference_kinds() {
+  static const std::vector<FileKind> kinds = [] {
+    const std::vector<std::string> films{".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".gif"};
+    std::vector<std::string> all = picture_kinds().front().extensions;
+    all.insert(all.end(), films.begin(), films.end());
+    return std::vector<FileKind>{{"Pictures and films", all}, picture_kinds().front(), {"Films", films}};
+  }();
+  return kinds;
+}
+
 const std::vector<FileKind>& sound_kinds() {
   static const std::vector<FileKind> kinds{{"Sounds", {".wav", ".flac", ".ogg", ".oga"}}};
   return kinds;

@@ -16,6 +16,8 @@ struct FileKind {
 /// What opens: models, and what a session or a trace is kept in; each alone; every file.
 [[nodiscard]] const std::vector<FileKind>& opened_kinds();
 [[nodiscard]] const std::vector<FileKind>& picture_kinds();
+/// Pictures and films that one animates after.
+[[nodiscard]] const std::vector<FileKind>& reference_kinds();
 [[nodiscard]] const std::vector<FileKind>& sound_kinds();
 
 /// What is offered to save under: the project's own name, or a free one that is never that of the model that was

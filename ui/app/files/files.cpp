@@ -11,6 +11,7 @@
 #include "replay/session/session_recorder.h"
 #include "ui/app/dialogs/entries.h"
 #include "ui/files/load_model.h"
+#include "ui/files/project/beside_project.h"
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
 #include "ui/files/sound/sound_file.h"
@@ -226,6 +227,14 @@ std::optional<document::SetSound> Files::renamed_sound(const std::string& path) 
   return document::SetSound{name, sound->content, sound->offset_s};
 }
 
+std::optional<document::SetReference> Files::renamed_reference(const std::string& path) const {
+  const auto& reference = parts_.editing.document().reference;
+  if (!reference || !io::keeps_everything(path)) return std::nullopt;
+  document::SetReference renamed{*reference};
+  renamed.picture.file = files::renamed_beside(reference->file, project_.empty() ? path_ : project_, path);
+  return renamed.picture.file == reference->file ? std::nullopt : std::optional(renamed);
+}
+
 base::Status Files::save(const std::string& path) {
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
@@ -242,10 +251,14 @@ base::Status Files::save(const std::string& path) {
   const auto with_sound =
       sound ? parts_.editing.after(*sound) : base::Result<document::Document>(parts_.editing.document());
   if (!with_sound) return with_sound.error();
-  auto saved = files::save_document(*with_sound, path, files::SaveNotes::quiet);
+  const auto reference = renamed_reference(path);
+  document::Document renamed = *with_sound;
+  if (reference) renamed.reference = std::make_shared<const document::ReferencePicture>(reference->picture);
+  auto saved = files::save_document(renamed, path, files::SaveNotes::quiet);
   if (!saved) return saved;
   if (io::keeps_everything(path)) {
     if (sound) parts_.editing.perform_with(*sound);
+    if (reference) parts_.editing.perform_with(*reference);
     parts_.editing.mark_saved();
     set_project(full);
   }

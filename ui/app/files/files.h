@@ -76,6 +76,9 @@ class Files {
   /// The sound as a project at that path names it; nothing: as now, or there is none.
   [[nodiscard]] std::optional<document::SetSound> renamed_sound(const std::string& path) const;
 
+  /// The same of the reference.
+  [[nodiscard]] std::optional<document::SetReference> renamed_reference(const std::string& path) const;
+
   Parts parts_;
   std::string project_;
   std::string path_;

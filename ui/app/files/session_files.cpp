@@ -80,7 +80,7 @@ void remove_quietly(const std::string& path) {
 
 Folders standard_folders() {
   return {below_home("XDG_STATE_HOME", ".local/state"), below_home("XDG_CONFIG_HOME", ".config"),
-          files::usual_pose_folder()};
+          files::usual_pose_folder(), below_home("XDG_CACHE_HOME", ".cache")};
 }
 
 SessionFile::SessionFile(std::string path, files::AppendFile file, const std::string& program)

@@ -12,14 +12,15 @@ namespace penpose::app {
 
 /// Where the app keeps what it writes by itself. Empty: nothing is kept.
 struct Folders {
-  std::string state;   ///< sessions, the list of recent files
-  std::string config;  ///< settings
-  std::string poses;   ///< the library of poses, where no other folder is chosen
+  std::string state;       ///< sessions, the list of recent files
+  std::string config;      ///< settings
+  std::string poses;       ///< the library of poses, where no other folder is chosen
+  std::string cache = {};  ///< pictures of films, which may be lost
 };
 
 /// Those of the XDG base directory specification: $XDG_STATE_HOME/penpose (~/.local/state/penpose),
-/// $XDG_CONFIG_HOME/penpose (~/.config/penpose) and files::usual_pose_folder. Empty where there is neither a variable
-/// nor a home.
+/// $XDG_CONFIG_HOME/penpose (~/.config/penpose), files::usual_pose_folder and $XDG_CACHE_HOME/penpose
+/// (~/.cache/penpose). Empty where there is neither a variable nor a home.
 [[nodiscard]] Folders standard_folders();
 
 /// A session being written, with a lock beside it that says so and that goes with the program, however that ends.

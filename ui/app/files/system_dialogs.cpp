@@ -57,8 +57,8 @@ portal::FileQuestion SystemDialogs::question_for(Dialog dialog) const {
     question.name = name_to_export(parts_.files, question.folder);
     question.filters = filters_to_export();
   } else if (dialog == Dialog::backdrop) {
-    question.title = "A picture behind the model";
-    question.filters = filters_of(picture_kinds());
+    question.title = "A picture or a film to animate after";
+    question.filters = filters_of(reference_kinds());
   } else {
     question.title = "A sound beside the timeline";
     question.filters = filters_of(sound_kinds());
@@ -98,7 +98,7 @@ void SystemDialogs::use(Dialog dialog, const std::string& path) {
   }
   parts_.dialogs.state<FileChoice>().folder = folder;
   if (dialog == Dialog::backdrop) {
-    open_backdrop(parts_.canvas, parts_.look, parts_.notices, path);
+    parts_.references.open(path);
   } else {
     parts_.sound.open(path);
   }

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "ui/app/canvas/canvas.h"
 #include "ui/app/files/leaving.h"
+#include "ui/app/reference/reference_desk.h"
 #include "ui/app/sound/sound_track.h"
 #include "ui/portal/portal.h"
 
@@ -17,8 +17,7 @@ class SystemDialogs {
  public:
   struct Parts {
     std::function<std::int64_t()> clock;  ///< microseconds
-    const Canvas& canvas;
-    CanvasLook& look;
+    ReferenceDesk& references;
     Files& files;
     Leaving& leaving;
     SoundTrack& sound;

@@ -62,13 +62,13 @@ std::vector<std::string> words_of(const FilmOrder& order, const std::string& fol
       std::to_string(order.from),
       "--to",
       std::to_string(order.to),
-      "--camera",
-      folder + "/camera.json",
       "--size",
       size_text(order.view.whole),
       "--crop",
       size_text(part.size) + "+" + std::to_string(part.left) + "+" + std::to_string(part.top)};
   const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+  // The camera of the timeline is the program's own choice.
+  if (!order.moves) add({"--camera", folder + "/camera.json"});
   if (order.kind == film::FilmKind::sheet) add({"--sheet", order.every ? std::to_string(*order.every) : "keys"});
   if (order.numbers) add({"--numbers"});
   if (order.wireframe) add({"--wireframe"});
@@ -94,12 +94,13 @@ std::vector<std::string> words_of(const FilmOrder& order, const std::string& fol
 }  // namespace
 
 base::Result<FilmJob> FilmJob::start(const document::Document& document, const FilmOrder& order) {
-  if (document.timeline->keys.empty()) {
+  if (document.timeline->keys.empty() && !document.camera) {
     return base::Error{"there is nothing to film", "", "key a pose first"};
   }
   if (film::row_of(order.kind).needs_ffmpeg && !film::has_ffmpeg()) return film::no_ffmpeg();
   FilmJob job;
   job.order_ = order;
+  job.order_.moves = document.camera != nullptr;
   std::error_code code;
   std::string folder = (fs::temp_directory_path(code) / "penpose-film-XXXXXX").string();
   if (code || ::mkdtemp(folder.data()) == nullptr) {

@@ -21,9 +21,10 @@ struct FilmOrder {
   film::FilmKind kind = film::FilmKind::mp4;
   std::string output;  ///< of pictures NAME.png: NAME0000.png, NAME0001.png, ...
   FilmView view;
-  int rate = 24;               ///< frames a second
-  int from = 0;                ///< the first frame
-  int to = 0;                  ///< the last one
+  bool moves = false;  ///< the document's camera is taken, and of `view` only the picture; FilmJob says so itself
+  int rate = 24;       ///< frames a second
+  int from = 0;        ///< the first frame
+  int to = 0;          ///< the last one
   std::optional<int> every{};  ///< of a sheet: every so many frames; nothing: the keyed ones
   bool numbers = false;
   bool wireframe = false;

@@ -13,11 +13,11 @@ void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Contr
                      Dialogs&, PanelState&, PoseShelf&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
-                   Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&);
+                   Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&, CameraDesk&);
 void show_timeline_grip(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_player(PanelContext&, const Area&, Player&);
 void show_tour(PanelContext&, const Area&, TourGuide&, Files&);
-void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Notices&, Dialogs&);
+void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ReferenceDesk&, Dialogs&);
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_face_labels(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_feature_names(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);

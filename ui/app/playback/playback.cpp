@@ -172,7 +172,8 @@ void Playback::advance(std::int64_t now_us) {
 
 double Playback::last_s() const {
   const auto& keys = editing_.document().timeline->keys;
-  return std::max(sound_end_s_, keys.empty() ? 0.0 : keys.back().time_s);
+  const auto& camera = editing_.document().camera;
+  return std::max({sound_end_s_, keys.empty() ? 0.0 : keys.back().time_s, camera ? camera->keys.back().time_s : 0.0});
 }
 
 void Playback::hear(double time_s, std::int64_t now_us) {

@@ -48,7 +48,8 @@ class Playback {
   void play_or_stop();
   /// Stops on the nearest frame, and takes its pose.
   void stop();
-  /// The moment at which the timeline ends: that of its last key, or the end of the sound beside it.
+  /// The moment at which the timeline ends: that of its last key, of the face or of the
+  /// camera, or the end of the sound beside it.
   [[nodiscard]] double last_s() const;
   void sounds_until(double time_s) { sound_end_s_ = time_s; }
   /// What is heard now is of this moment: the cursor goes along with it, without a jump where it is less than half a

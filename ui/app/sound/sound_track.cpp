@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/text/letters.h"
 #include "core/sound/mix.h"
 #include "ui/files/sound/sound_file.h"
 
@@ -22,11 +21,6 @@ constexpr double k_fade_s = 0.002;
 constexpr std::int64_t k_kept_us = 1'000'000;
 
 }  // namespace
-
-bool is_sound_name(const std::string& path) {
-  const std::string name = base::lower_case(path);
-  return name.ends_with(".wav") || name.ends_with(".flac") || name.ends_with(".ogg") || name.ends_with(".oga");
-}
 
 SoundTrack::SoundTrack(EditingSession& editing, Notices& notices, Playback& playback, const Files& files)
     : editing_(editing), notices_(notices), playback_(playback), files_(files) {}

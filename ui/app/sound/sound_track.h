@@ -14,9 +14,6 @@
 
 namespace penpose::app {
 
-/// Whether a file is called like a sound that can be opened.
-[[nodiscard]] bool is_sound_name(const std::string& path);
-
 /// The sound beside the timeline: its samples, which the document only refers to, and what is heard of them. While the
 /// timeline plays its cursor goes along with what is heard, which is lower where it plays slower; a cursor that is
 /// moved sounds for a frame.

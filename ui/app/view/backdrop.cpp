@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/document/time/timeline.h"
 #include "core/geometry/camera.h"
 #include "core/picture/jpeg.h"
 #include "ui/files/files.h"
@@ -69,10 +70,10 @@ base::Result<render::Image> read_picture(const std::string& path) {
   return picture::shrunk(*image, k_most_backdrop_px);
 }
 
-base::Result<std::shared_ptr<Backdrop>> Backdrop::open(const std::string& path, const geometry::ModelPoint& middle,
-                                                       double height) {
+base::Result<std::shared_ptr<Backdrop>> Backdrop::open(const std::vector<std::string>& frames, const std::string& path,
+                                                       const document::ReferencePicture& placed) {
   auto backdrop = std::make_shared<Backdrop>();
-  backdrop->frames_ = frames_beside(path);
+  backdrop->frames_ = frames.empty() ? std::vector<std::string>{path} : frames;
   const auto at = std::find_if(backdrop->frames_.begin(), backdrop->frames_.end(), [&](const std::string& one) {
     return fs::path(one).filename() == fs::path(path).filename();
   });
@@ -81,8 +82,8 @@ base::Result<std::shared_ptr<Backdrop>> Backdrop::open(const std::string& path, 
   auto image = read_picture(backdrop->frames_[backdrop->shown_]);
   if (!image) return image.error();
   backdrop->image_ = std::make_shared<const render::Image>(std::move(*image));
-  backdrop->middle_ = middle;
-  backdrop->height_ = backdrop->first_height_ = height;
+  backdrop->placed_ = placed;
+  backdrop->first_height_ = placed.height;
   return backdrop;
 }
 
@@ -97,7 +98,7 @@ base::Status Backdrop::show(double time_s, int rate) {
       status = read.error();
     }
   }
-  const auto frame = static_cast<std::size_t>(std::max(0.0, std::floor(time_s * rate + 1e-6)));
+  const auto frame = static_cast<std::size_t>(std::max(0.0, std::floor((time_s - placed_.offset_s) * rate + 1e-6)));
   const std::size_t wanted = std::min(frame, frames_.size() - 1);
   if (next_.valid() || wanted == asked_) return status;
   asked_ = wanted;
@@ -105,32 +106,57 @@ base::Status Backdrop::show(double time_s, int rate) {
   return status;
 }
 
-void Backdrop::drag(const document::View& view, geometry::PxPoint by) {
+void Backdrop::delay(double by_s) {
+  placed_.offset_s = std::clamp(placed_.offset_s + by_s, -document::k_latest_key_s, document::k_latest_key_s);
+}
+
+void Backdrop::drag(const document::View& view, const Area& free, geometry::PxPoint by) {
+  if (placed_.beside) {
+    constexpr double k_farthest = 0.95;
+    placed_.card.x = std::clamp(placed_.card.x + by.x / free.width(), -k_farthest, k_farthest);
+    placed_.card.y = std::clamp(placed_.card.y + by.y / free.height(), -k_farthest, k_farthest);
+    return;
+  }
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  const double unit = camera->units_per_px(camera->depth(middle_));
-  if (unit > 0) middle_ += camera->right() * (by.x * unit) - camera->up() * (by.y * unit);
+  const double unit = camera->units_per_px(camera->depth(placed_.middle));
+  if (unit > 0) placed_.middle += camera->right() * (by.x * unit) - camera->up() * (by.y * unit);
 }
 
-void Backdrop::enlarge(const document::View& view, double factor, geometry::PxPoint about) {
+void Backdrop::enlarge(const document::View& view, const Area& free, double factor, geometry::PxPoint about) {
+  if (!(factor > 0)) return;
+  if (placed_.beside) {
+    const double before = placed_.card_height;
+    placed_.card_height = std::clamp(before * factor, document::k_smallest_card, document::k_largest_card);
+    const PxPoint corner{free.left + placed_.card.x * free.width(), free.top + placed_.card.y * free.height()};
+    return drag(view, free, (corner - about) * (placed_.card_height / before - 1));
+  }
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  const auto middle = camera ? camera->project(middle_) : std::nullopt;
-  if (!middle || !(factor > 0)) return;
-  const double before = height_;
-  height_ = std::clamp(height_ * factor, k_smallest * first_height_, k_largest * first_height_);
-  drag(view, (*middle - about) * (height_ / before - 1));
+  const auto middle = camera ? camera->project(placed_.middle) : std::nullopt;
+  if (!middle) return;
+  const double before = placed_.height;
+  placed_.height = std::clamp(placed_.height * factor, k_smallest * first_height_, k_largest * first_height_);
+  drag(view, free, (*middle - about) * (placed_.height / before - 1));
 }
 
-render::Behind Backdrop::seen(const document::View& view) const {
+render::Behind Backdrop::seen(const document::View& view, const Area& free) const {
+  if (!image_) return {};
+  const auto opacity = static_cast<float>(placed_.opacity);
+  const double shape = static_cast<double>(image_->width) / image_->height;
+  if (placed_.beside) {
+    const double high = placed_.card_height * free.height();
+    const PxPoint corner{free.left + placed_.card.x * free.width(), free.top + placed_.card.y * free.height()};
+    return {image_, corner, corner + PxPoint{high * shape, high}, opacity, true};
+  }
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  const auto middle = camera ? camera->project(middle_) : std::nullopt;
-  if (!middle || !image_) return {};
-  const double high = height_ / camera->units_per_px(camera->depth(middle_));
-  const double wide = high * image_->width / image_->height;
+  const auto middle = camera ? camera->project(placed_.middle) : std::nullopt;
+  if (!middle) return {};
+  const double high = placed_.height / camera->units_per_px(camera->depth(placed_.middle));
+  const double wide = high * shape;
   return {image_,
           {middle->x - 0.5 * wide, middle->y - 0.5 * high},
           {middle->x + 0.5 * wide, middle->y + 0.5 * high},
-          static_cast<float>(opacity)};
+          opacity};
 }
 
 }  // namespace penpose::app

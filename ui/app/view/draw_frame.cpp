@@ -112,7 +112,8 @@ DrawFrame FrameMaker::make() {
   DrawFrame frame = last_;
   frame.curves = parts_.drawing.curves;
   frame.veil = parts_.drawing.veil;
-  frame.behind = parts_.look.backdrop ? parts_.look.backdrop->seen(last_.view) : render::Behind();
+  frame.behind =
+      parts_.look.backdrop ? parts_.look.backdrop->seen(last_.view, parts_.canvas.free_area()) : render::Behind();
   return frame;
 }
 

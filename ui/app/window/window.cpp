@@ -68,7 +68,8 @@ std::uint32_t key_of(SDL_Keycode key) {
     default:
       break;
   }
-  if (key >= SDLK_KP_1 && key <= SDLK_KP_9) return static_cast<std::uint32_t>('1' + (key - SDLK_KP_1));
+  if (key >= SDLK_KP_1 && key <= SDLK_KP_9) return pad_key(static_cast<std::uint32_t>(key - SDLK_KP_1) + 1);
+  if (key == SDLK_KP_0) return pad_key(0);
   if (key >= SDLK_F1 && key <= SDLK_F12) return k_key_f1 + static_cast<std::uint32_t>(key - SDLK_F1);
   if (key >= SDLK_F13 && key <= SDLK_F24) return k_key_f1 + 12 + static_cast<std::uint32_t>(key - SDLK_F13);
   // Keys that are no character lie above all of them.
@@ -222,11 +223,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       interface.text(event.text.text);
       break;
     case SDL_DROPFILE:
-      if (is_sound_name(event.drop.file)) {
-        app.of<SoundTrack>().open(event.drop.file);
-      } else {
-        app.of<Leaving>().ask_to_open(event.drop.file);
-      }
+      app.of<DropDesk>().drop(event.drop.file);
       SDL_free(event.drop.file);
       break;
     case SDL_WINDOWEVENT:

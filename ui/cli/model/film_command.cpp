@@ -32,6 +32,14 @@ namespace {
 
 constexpr int k_most_frames = 1'000'000;
 
+/// The view that the camera on the timeline has; three quarters where none is keyed.
+constexpr const char* k_own_camera = "camera";
+
+PictureOptions placed(PictureOptions picture) {
+  if (picture.view == k_own_camera) picture.view = "three-quarter";
+  return picture;
+}
+
 struct FilmOptions {
   std::string model;
   io::Orientation orientation;
@@ -40,7 +48,7 @@ struct FilmOptions {
   std::optional<int> from;
   std::optional<int> to;
   std::string sheet;
-  PictureOptions picture{"1280x720", {}, "three-quarter"};
+  PictureOptions picture{"1280x720", {}, k_own_camera};
   std::string crop;
   bool numbers = false;
   std::string sound;
@@ -221,12 +229,13 @@ int run_film(const FilmOptions& options) {
   if (auto fits = check_outputs(plan, files); !fits) return files::report(fits.error());
   const auto first = frames->at(plan.frames.front());
   if (!first) return files::report(first.error(), options.model);
-  const auto camera = make_camera(options.picture, *first, false);
+  const auto camera = make_camera(placed(options.picture), *first, false);
   if (!camera) return files::report(camera.error(), options.picture.camera);
   render::Appearance appearance = render::make_appearance(*first);
   if (options.shadows) appearance.light = render::bake_light(*first, appearance);
   auto ghosts = ghosts_of(options);
   const film::FrameLook look{.camera = *camera,
+                             .moves = options.picture.camera.empty() && options.picture.view == k_own_camera,
                              .part = *part,
                              .wireframe = options.wireframe,
                              .matcap = options.matcap,

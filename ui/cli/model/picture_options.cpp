@@ -1,5 +1,6 @@
 #include "ui/cli/model/picture_options.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -40,10 +41,10 @@ void add_picture_options(const Command& command, PictureOptions& options) {
       .show_default();
   const Option camera =
       command.add_option("--camera", options.camera, R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
-  command.add_option("--view", options.view, "where to look from")
-      .one_of({"front", "side", "three-quarter", "back", "top", "face"})
-      .show_default()
-      .excludes(camera);
+  std::vector<std::string> views{"front", "side", "three-quarter", "back", "top", "face"};
+  // A view of its own that a command has.
+  if (std::find(views.begin(), views.end(), options.view) == views.end()) views.push_back(options.view);
+  command.add_option("--view", options.view, "where to look from").one_of(views).show_default().excludes(camera);
 }
 
 geometry::Viewport size_of(const PictureOptions& options) { return *parse_size(options.size); }

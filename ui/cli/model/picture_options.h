@@ -16,7 +16,8 @@ struct PictureOptions {
   std::string view = "three-quarter";
 };
 
-/// Adds --size, --camera and --view; their defaults are what `options` says now.
+/// Adds --size, --camera and --view; their defaults are what `options` says now, where a view may be one of the
+/// command's own.
 void add_picture_options(const Command& command, PictureOptions& options);
 
 /// The size that --size says, which was checked when it was parsed.

@@ -13,7 +13,10 @@ constexpr int k_most = 64;  ///< px at a time
 
 std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(value * 255.0F + 0.5F); }
 
-void draw_behind(const Behind& behind, int y, int left, std::span<std::uint8_t> row) {
+}  // namespace
+
+void draw_behind_row(const Behind& behind, int y, int left, std::span<std::uint8_t> row) {
+  if (!behind.image || behind.from.x == behind.to.x || behind.from.y == behind.to.y) return;
   const Image& image = *behind.image;
   const auto height = static_cast<float>(behind.to.y - behind.from.y);
   const auto width = static_cast<float>(behind.to.x - behind.from.x);
@@ -42,8 +45,6 @@ void draw_behind(const Behind& behind, int y, int left, std::span<std::uint8_t> 
     for (std::size_t c = 0; c < 3; ++c) blend(row[i * 4 + c], color[c], alpha);
   }
 }
-
-}  // namespace
 
 void draw_backdrop_row(const Background& colors, const Behind& behind, geometry::Viewport size, int y, int left,
                        std::span<std::uint8_t> row) {
@@ -79,9 +80,7 @@ void draw_backdrop_row(const Background& colors, const Behind& behind, geometry:
       out[3] = 255;
     }
   }
-  if (behind.image && behind.from.x != behind.to.x && behind.from.y != behind.to.y) {
-    draw_behind(behind, y, left, row);
-  }
+  if (!behind.front) draw_behind_row(behind, y, left, row);
 }
 
 }  // namespace penpose::render

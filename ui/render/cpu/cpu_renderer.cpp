@@ -143,7 +143,8 @@ std::vector<Segment> CpuRenderer::State::segments() const {
 void CpuRenderer::State::draw_backdrop(const Scene& scene, const View& view, geometry::Viewport size) {
   const Background& colors = scene.background;
   // The ground is left out where the darkening of creases is.
-  const auto ground = occlude && !behind.image && scene.appearance != nullptr ? scene.appearance->light : nullptr;
+  const auto ground =
+      occlude && (!behind.image || behind.front) && scene.appearance != nullptr ? scene.appearance->light : nullptr;
   const bool known = ground == backdrop_ground && (!ground || view == backdrop_view) && backdrop.width == size.width &&
                      backdrop.height == size.height && backdrop_behind == behind &&
                      same_background(backdrop_colors, colors);
@@ -197,6 +198,7 @@ void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& c
                         scene.wireframe ? std::span<const std::pair<std::uint32_t, std::uint32_t>>(list.edges)
                                         : std::span<const std::pair<std::uint32_t, std::uint32_t>>(),
                         backdrop,
+                        behind,
                         scene.matcap};
   std::vector<std::unique_ptr<TileDrawer>> drawers(workers.count());
   for (auto& one : drawers) one = std::make_unique<TileDrawer>(shown);

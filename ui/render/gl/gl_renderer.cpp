@@ -158,15 +158,21 @@ void GlRenderer::State::draw_surfaces(const Scene& scene, const View& view, geom
   targets.begin_surfaces();
   glClear(GL_DEPTH_BUFFER_BIT);
   draw_background(scene.background);
-  if (behind_pass.begin(behind, viewport)) {
+  const auto draw_behind = [&] {
+    const bool shown = behind_pass.begin(behind, viewport);
+    if (!shown) return false;
     screen.draw();
     BehindPass::end();
-  } else if (scene.appearance != nullptr && ground_pass.begin(scene.appearance->light, view, viewport)) {
+    return true;
+  };
+  const bool hides_ground = !behind.front && draw_behind();
+  if (!hides_ground && scene.appearance != nullptr && ground_pass.begin(scene.appearance->light, view, viewport)) {
     screen.draw();
     GroundPass::end();
   }
   mesh.draw_opaque(view, scene.wireframe);
   mesh.draw_translucent(view);
+  if (behind.front) static_cast<void>(draw_behind());
 }
 
 void GlRenderer::State::add_pass(const Scene& scene, View view, geometry::Viewport viewport) {

@@ -259,14 +259,23 @@ Changed run(const Document& document, const SaveView& command, Parts&) {
   if (const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport); !camera) {
     return at("view", camera.error());
   }
+  if (command.key > k_view_keys) return base::Error{"there is no such key", "key", "give 1 to 9, or 0 for none"};
   Document changed = document;
-  auto saved = std::make_shared<const NamedView>(NamedView{command.name, command.view});
+  NamedView saved{command.name, command.view, command.key};
+  std::shared_ptr<const NamedView>* before = nullptr;
   for (auto& named : changed.views) {
-    if (named->name != command.name) continue;
-    named = std::move(saved);
+    if (named->name == command.name) {
+      before = &named;
+    } else if (command.key != 0 && named->key == command.key) {
+      named = std::make_shared<const NamedView>(NamedView{named->name, named->view});
+    }
+  }
+  if (before == nullptr) {
+    changed.views.push_back(std::make_shared<const NamedView>(std::move(saved)));
     return changed;
   }
-  changed.views.push_back(std::move(saved));
+  if (saved.key == 0) saved.key = (*before)->key;
+  *before = std::make_shared<const NamedView>(std::move(saved));
   return changed;
 }
 

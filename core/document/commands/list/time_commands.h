@@ -120,12 +120,13 @@ Changed run(const Document&, const Tween&, ApplyParts&);
 using GoToTime = Plain<AtTime, "go_to_time", "Go to a moment">;
 Changed run(const Document&, const GoToTime&, ApplyParts&);
 
-/// Keeps a view under a name, in place of one of that name.
+/// Keeps a view under a name, in place of one of that name. Errors: no name, no view, no such key.
 struct SaveView {
   static constexpr Called k_called{"save_view", "Keep a view"};
   std::string name;
   View view;
-  static auto members(auto& self) { return base::named("name", self.name, "view", self.view); }
+  std::uint32_t key = 0;  ///< 1..9: is taken from the view that has it; 0: the view keeps the key that it has
+  static auto members(auto& self) { return base::named("name", self.name, "view", self.view, "key", self.key); }
 };
 Changed run(const Document&, const SaveView&, ApplyParts&);
 

@@ -11,6 +11,7 @@
 #include "core/io/project/internal/project_sound.h"
 #include "core/io/project/internal/project_time.h"
 #include "core/io/project/internal/project_values.h"
+#include "core/io/project/internal/project_view.h"
 
 namespace penpose::io {
 namespace {
@@ -91,26 +92,6 @@ Problem read_taken(const json::Json& project, const std::string& pointer, Docume
   return std::nullopt;
 }
 
-Problem read_views(const json::Json& project, const std::string& pointer, Document& out) {
-  const json::Json* views = json::find(project, "views");
-  if (views == nullptr) return std::nullopt;
-  const std::string here = json::child(pointer, "views");
-  if (!views->is_array() || views->size() > k_most_curves) return project_error("a list of views was expected", here);
-  for (std::size_t i = 0; i < views->size(); ++i) {
-    const std::string at = json::child(here, i);
-    document::NamedView named;
-    const json::Json* name = json::find((*views)[i], "name");
-    if (name == nullptr || !name->is_string()) return project_error("a name was expected", json::child(at, "name"));
-    named.name = name->get<std::string>();
-    const bool again =
-        std::any_of(out.views.begin(), out.views.end(), [&](const auto& one) { return one->name == named.name; });
-    if (named.name.empty() || again) return project_error("a name of its own was expected", json::child(at, "name"));
-    if (auto problem = read_view((*views)[i], at, named.view)) return problem;
-    out.views.push_back(std::make_shared<const document::NamedView>(std::move(named)));
-  }
-  return std::nullopt;
-}
-
 /// A deformer whose steps are not all drawn is kept as the commands that drew them.
 Problem read_pending(const json::Json& project, const std::string& pointer, Document& out) {
   const json::Json* pending = json::find(project, "pending");
@@ -181,11 +162,7 @@ json::Json project_to_json(const Document& document) {
   if (document.neutral) project["neutral"] = face_to_json(*document.neutral);
   project["timeline"] = timeline_to_json(*document.timeline);
   if (!document.clips.empty()) project["clips"] = clips_to_json(document);
-  json::Json views = json::Json::array();
-  for (const auto& named : document.views) {
-    views.push_back({{"name", named->name}, {"view", document::to_text(named->view)}});
-  }
-  project["views"] = std::move(views);
+  write_project_views(document, project);
   write_project_sound(document, project);
   if (document.bookmarks) project["bookmarks"] = bookmarks_to_json(*document.bookmarks);
   if (document.pending) project["pending"] = pending_commands(*document.pending);
@@ -195,8 +172,8 @@ json::Json project_to_json(const Document& document) {
 base::Result<Document> read_project(const json::Json& project, const std::string& pointer, document::Model model) {
   if (!project.is_object()) return project_error("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
-  for (const auto read : {read_project_curves, read_project_face, read_timeline, read_locks, read_taken, read_views,
-                          read_project_sound, read_project_bookmarks, read_clips, read_pending}) {
+  for (const auto read : {read_project_curves, read_project_face, read_timeline, read_locks, read_taken,
+                          read_project_views, read_project_sound, read_project_bookmarks, read_clips, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

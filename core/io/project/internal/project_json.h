@@ -13,8 +13,8 @@ namespace penpose::io {
 /// "last_curve", "locked": [name, ...], "pressure_weighting", "hand", "pending": [command, ...], "time_s", "timeline":
 /// {"keys": [{"time_s", "pose": [value, ...], "name" (if it has one), "controls": [[parameter, kind, in, out], ...]
 /// (those that have a key, in, out only where the kind is "free" or "overshoot"; where all are smooth there is no
-/// list)}]}, "views":
-/// [{"name", "view"}], "sound": {"file", "content", "offset_s"}, "mouths": [{"name", "values": {control: value}}],
+/// list)}]}, what
+/// project_view.h says, "sound": {"file", "content", "offset_s"}, "mouths": [{"name", "values": {control: value}}],
 /// "spoken": [{"time_s", "mouth"}], "words": [{"from_s", "word"}], "bookmarks": [{"time_s", "name", "color"}]}, the
 /// last five if there are any. Views and commands are written as core/document/commands/command_text.h says; "pose" is
 /// in the order of the model's parameters.

@@ -72,7 +72,11 @@ DocumentHand full_hand() {
   View side = hand.view;
   side.camera.eye = {1.0 / 3, 0.2, 5};
   side.viewport = {1600, 900};
-  hand.does(SaveView{"side", side});
+  hand.does(SaveView{"side", side, 7});
+  hand.does(KeyCamera{0, hand.view, KeyKind::stepped});
+  hand.does(KeyCamera{1.0 / 3, side});
+  hand.does(SetReference{
+      {"films/take \xc3\xa9.mp4", {0x123456789abcdef0U, 0xfU}, -1.0 / 3, 0.25, true, {0, 1, 0}, 2, {0.5, 0.25}, 0.2}});
   hand.does(BeginDeformer{"next", articulation::Mode::rotate, articulation::Sphere{{0, 0, -0.5}, 0.8}, -0.5, 1.5});
   hand.does(SketchCurve{articulation::CurveRole::general, side, hand.diamond(0.8)});
   hand.does(SketchCurve{articulation::CurveRole::specific, side, hand.diamond(0.4)});
@@ -91,6 +95,8 @@ TEST(Project, EverythingComesBackAsItWas) {
   EXPECT_EQ(again.time_s, document.time_s);
   ASSERT_EQ(again.views.size(), 2U);
   EXPECT_EQ(*again.views[1], *document.views[1]);
+  EXPECT_EQ(*again.camera, *document.camera);
+  EXPECT_EQ(*again.reference, *document.reference);
   EXPECT_EQ(*again.pending, *document.pending);
   const auto saved = write_project(again).value();
   EXPECT_EQ(saved.size(), write_project(document).value().size());

@@ -268,11 +268,5 @@ TEST_F(SoundTrackOfDesk, TheStripIsDraggedAndMuted) {
   EXPECT_TRUE(track().muted());
 }
 
-TEST(SoundNames, AreThoseThatCanBeOpened) {
-  EXPECT_TRUE(is_sound_name("/home/me/Talk.WAV"));
-  EXPECT_TRUE(is_sound_name("a.flac"));
-  EXPECT_FALSE(is_sound_name("a.glb"));
-}
-
 }  // namespace
 }  // namespace penpose::app

@@ -21,7 +21,7 @@ void write_picture(const std::string& path, int width, int height, std::uint8_t 
 void show_backdrop(Desk& desk, int width, int height) {
   desk.begin();
   write_picture(desk.path("face.png"), width, height, 9);
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
+  desk.app->of<ReferenceDesk>().open(desk.path("face.png"));
   desk.frames();
 }
 
@@ -43,22 +43,24 @@ TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
   show_backdrop(desk, 30, 60);
   const auto& backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_NE(backdrop, nullptr);
-  const auto before = backdrop->seen(desk.app->of<Canvas>().view());
+  const auto before = backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area());
   ASSERT_NE(before.image, nullptr);
   EXPECT_NEAR((before.to.x - before.from.x) / (before.to.y - before.from.y), 0.5, 1e-9) << "its own shape";
   EXPECT_TRUE(desk.app->of<Canvas>().free_area().holds((before.from + before.to) * 0.5));
   desk.press('+');
-  const auto nearer = backdrop->seen(desk.app->of<Canvas>().view());
+  const auto nearer = backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area());
   EXPECT_GT(nearer.to.y - nearer.from.y, 1.05 * (before.to.y - before.from.y)) << "zoomed with the model";
 }
 
 TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   Desk desk("backdrop-drag");
   show_backdrop(desk, 40, 40);
-  const auto before = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
+  const auto before =
+      desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area());
   const PxPoint from = desk.app->of<Canvas>().free_area().middle();
   desk.stroke({from, from + PxPoint{60, -30}});
-  const auto after = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
+  const auto after =
+      desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area());
   EXPECT_NEAR(after.from.x - before.from.x, 60, 2);
   EXPECT_NEAR(after.from.y - before.from.y, -30, 2);
   EXPECT_TRUE(desk.document().curves.empty());
@@ -67,7 +69,8 @@ TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   desk.frames();
   desk.app->of<Pointer>().wheel(3);
   desk.frames();
-  const auto larger = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
+  const auto larger =
+      desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area());
   EXPECT_GT(larger.to.x - larger.from.x, 1.1 * (after.to.x - after.from.x));
   const auto share = [&](const render::Behind& b) { return (from.x - b.from.x) / (b.to.x - b.from.x); };
   EXPECT_NEAR(share(larger), share(after), 1e-3);
@@ -84,7 +87,7 @@ TEST(Backdrop, TheFrameOfTheMomentIsShown) {
   desk.begin();
   for (int i = 1; i <= 5; ++i)
     write_picture(desk.path("f00" + std::to_string(i) + ".png"), 8, 8, static_cast<std::uint8_t>(10 * i));
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("f001.png"));
+  desk.app->of<ReferenceDesk>().open(desk.path("f001.png"));
   const auto backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_EQ(backdrop->frame_count(), 5U);
   desk.app->of<Playback>().place_cursor(3.0 / desk.app->of<Playback>().rate());
@@ -93,14 +96,14 @@ TEST(Backdrop, TheFrameOfTheMomentIsShown) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_EQ(backdrop->frame(), 3U);
-  EXPECT_EQ(backdrop->seen(desk.app->of<Canvas>().view()).image->at(4, 4)[0], 40);
+  EXPECT_EQ(backdrop->seen(desk.app->of<Canvas>().view(), desk.app->of<Canvas>().free_area()).image->at(4, 4)[0], 40);
 }
 
 TEST(Backdrop, WhatIsNoPictureIsToldWithItsName) {
   Desk desk("backdrop-bad");
   desk.begin();
   std::ofstream(desk.path("bad.jpg")) << "no picture";
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("bad.jpg"));
+  desk.app->of<ReferenceDesk>().open(desk.path("bad.jpg"));
   EXPECT_EQ(desk.app->of<CanvasLook>().backdrop, nullptr);
   ASSERT_FALSE(desk.app->of<Notices>().all().empty());
   EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);

@@ -20,7 +20,7 @@ TEST(View, FrontKeepsTheZoomAndFrameShowsAllAgain) {
   desk.press(k_key_right);
   const double near = distance_of(desk);
   ASSERT_LT(near, 0.8 * all);
-  desk.press('1');
+  desk.press(pad_key(1));
   EXPECT_NEAR(distance_of(desk), near, 1e-9);
   EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 0, 1e-6);
   desk.press('f');
@@ -32,24 +32,24 @@ TEST(View, WithoutPerspectiveTheNearIsAsLargeAsTheFar) {
   desk.begin();
   const Area free = desk.app->of<Canvas>().free_area();
   const double before = desk.named_curve("lip_upper_inner").back().x - desk.named_curve("lip_upper_inner").front().x;
-  desk.press('5');
+  desk.press(pad_key(5));
   EXPECT_TRUE(desk.app->of<Canvas>().flat());
   const double after = desk.named_curve("lip_upper_inner").back().x - desk.named_curve("lip_upper_inner").front().x;
   EXPECT_NEAR(after, before, 0.15 * before) << "about as large as before";
   // Sides and zoom stay without it.
-  desk.press('3');
+  desk.press(pad_key(3));
   EXPECT_TRUE(desk.app->of<Canvas>().flat());
   desk.press('+');
   EXPECT_TRUE(desk.app->of<Canvas>().flat());
   // One draws as ever.
-  desk.press('1');
+  desk.press(pad_key(1));
   desk.press('f');
   for (const PxPoint& p : desk.named_curve("lip_upper_inner")) EXPECT_TRUE(free.holds(p));
   desk.stroke(desk.named_curve("brow_L"));
   desk.stroke(desk.named_curve("brow_L", {0, -14}));
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_NE(desk.document().pose, rig::rest_pose(*desk.document().model->rig));
-  desk.press('5');
+  desk.press(pad_key(5));
   EXPECT_FALSE(desk.app->of<Canvas>().flat());
 }
 
@@ -64,15 +64,15 @@ TEST(View, TheModelsOwnFrontIsChosenOnceAndKeptInTheProject) {
     ASSERT_GT(std::abs(yaw), 20);
     desk.app->of<Actions>().run(Action::set_front);
     desk.frames();
-    desk.press('3');
+    desk.press(pad_key(3));
     EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, yaw + 90, 1e-6);
-    desk.press('1');
+    desk.press(pad_key(1));
     EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, yaw, 1e-6);
     project = desk.path("turned.glb");
     ASSERT_TRUE(desk.app->of<Files>().save(project).ok());
     // It is a step like others.
     desk.app->of<Playback>().undo();
-    desk.press('1');
+    desk.press(pad_key(1));
     EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 0, 1e-6);
   }
   Desk again("own-front-again", project);

@@ -8,6 +8,7 @@
 #include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/panels/timeline/camera_strip.h"
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/keys.h"
@@ -124,7 +125,8 @@ void beside_strip(PanelContext& context, const TimelineOwners& with, Show show) 
 
 void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
                    Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
-                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, OverlapOffer& overlap, GhostHand& ghosts) {
+                   Dialogs& dialogs, PanelState& panels, SoundTrack& sound, OverlapOffer& overlap, GhostHand& ghosts,
+                   CameraDesk& cameras) {
   const TimelineOwners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels, overlap, ghosts};
   if (begin_panel(context, "timeline", area)) {
     show_time_buttons(context, with);
@@ -136,6 +138,10 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
       });
       show_ruler(context, with);
       show_keys(context, with);
+      beside_strip(context, with, [&](float width) {
+        if (cameras.moves()) show_camera_name(context, cameras, width);
+      });
+      show_camera_strip(context, with, cameras);
       if (sound.sound() != nullptr) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + names_width(context, with));
       const auto words = editing.document().words;
       const SpokenSound said{words.get(), editing.document().spoken.get()};

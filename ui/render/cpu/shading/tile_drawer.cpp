@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/render/cpu/backdrop_rows.h"
 #include "ui/render/cpu/mixing.h"
 
 namespace penpose::render {
@@ -53,7 +54,7 @@ void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
   const auto items = scene_.items.items(tile);
   if (items.empty() && scene_.edges.empty() && depths.empty()) {
     draw_backdrop(picture);
-    return;
+    return draw_front(picture);
   }
   depth_.fill(0.0F);
   nearest_.fill(k_nothing);
@@ -82,6 +83,7 @@ void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
   draw_edges(picture);
   for (; next < items.size(); ++next) draw_blended(items[next], picture);
   finish_blended(picture);
+  draw_front(picture);
   if (depths.empty()) return;
   for (int y = rect_.top; y < rect_.bottom; ++y) {
     const auto from = depth_.begin() + static_cast<std::ptrdiff_t>(at(rect_.left, y));
@@ -137,6 +139,13 @@ void TileDrawer::draw_backdrop(Image& picture) const {
   for (int y = rect_.top; y < rect_.bottom; ++y) {
     std::copy_n(scene_.backdrop.at(rect_.left, y), width, px_of(picture, rect_.left, y));
   }
+}
+
+void TileDrawer::draw_front(Image& picture) const {
+  if (!scene_.behind.front) return;
+  const auto width = static_cast<std::size_t>(rect_.right - rect_.left) * 4;
+  for (int y = rect_.top; y < rect_.bottom; ++y)
+    draw_behind_row(scene_.behind, y, rect_.left, {px_of(picture, rect_.left, y), width});
 }
 
 void TileDrawer::put(std::size_t fragment, Image& picture, float alpha) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ui/render/behind.h"
 #include "ui/render/cpu/shading/surface_points.h"
 #include "ui/render/picture/image.h"
 
@@ -18,6 +19,7 @@ struct TileScene {
   const DrawItems& items;
   std::span<const std::pair<std::uint32_t, std::uint32_t>> edges;  ///< drawn over what is opaque
   const Image& backdrop;                                           ///< of the picture's size
+  const Behind& behind;                                            ///< drawn last where it is before the model
   bool matcap = false;                                             ///< Scene::matcap
 };
 
@@ -46,6 +48,8 @@ class TileDrawer {
   void measure_blocks();
   [[nodiscard]] bool is_hidden(const ScreenTriangle& triangle) const;
   void draw_backdrop(Image& picture) const;
+  /// The picture that is before the model.
+  void draw_front(Image& picture) const;
   void draw_nearest(Image& picture);
   void draw_edges(Image& picture);
   void draw_blended(std::uint32_t item, Image& picture);

@@ -210,6 +210,32 @@ class KnowingHand {
     from.camera.eye.x += random_.real(-1, 1);
     return document::SaveView{random_.chance(0.5) ? "front" : "side", from};
   }
+  document::Command make(Tag<document::NameView>) {
+    return document::NameView{doc().views.empty() ? "side" : any(doc().views)->name, fresh_name()};
+  }
+  document::Command make(Tag<document::KeyCamera>) {
+    document::View from = view();
+    from.camera.eye.x += random_.real(-1, 1);
+    const document::KeyKind kinds[] = {document::KeyKind::smooth, document::KeyKind::linear,
+                                       document::KeyKind::stepped};
+    return document::KeyCamera{random_.real(0, 4), from, kinds[random_.below(3)]};
+  }
+  document::Command make(Tag<document::DeleteCameraKeys>) {
+    if (!doc().camera) return make(Tag<document::KeyCamera>{});
+    return document::DeleteCameraKeys{{any(doc().camera->keys).time_s}};
+  }
+  document::Command make(Tag<document::MoveCameraKey>) {
+    if (!doc().camera) return make(Tag<document::KeyCamera>{});
+    return document::MoveCameraKey{any(doc().camera->keys).time_s, random_.real(0, 4)};
+  }
+  document::Command make(Tag<document::SetReference>) {
+    document::ReferencePicture picture;
+    picture.file = fresh_name();
+    picture.opacity = random_.real(0, 1);
+    picture.beside = random_.chance(0.5);
+    return document::SetReference{picture};
+  }
+  document::Command make(Tag<document::RemoveReference>) { return document::RemoveReference{}; }
   document::Command make(Tag<document::DeleteView>) {
     return document::DeleteView{doc().views.empty() ? "side" : any(doc().views)->name};
   }
@@ -622,7 +648,13 @@ class KnowingHand {
       "set_words",
       "set_bookmark",
       "move_bookmark",
-      "delete_bookmark"};
+      "delete_bookmark",
+      "key_camera",
+      "delete_camera_keys",
+      "move_camera_key",
+      "name_view",
+      "set_reference",
+      "remove_reference"};
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::feature) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;
