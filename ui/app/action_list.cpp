@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ui/app/action.h"
+#include "ui/app/cast/cast_actions.h"
 #include "ui/app/face/neutral_face.h"
 #include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
@@ -387,6 +388,8 @@ std::vector<ActionInfo> made_actions() {
   all.insert(all.end(), of_hand.begin(), of_hand.end());
   const auto of_time = time_actions();
   all.insert(all.end(), of_time.begin(), of_time.end());
+  const auto of_cast = cast_actions();
+  all.insert(all.end(), of_cast.begin(), of_cast.end());
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/app/cast/cast.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/face/kept_features.h"
 #include "ui/app/playback/performer.h"
@@ -25,6 +26,7 @@ class CurvesInHand {
     Notices& notices;
     ToolInHand& tool;
     const KeptFeatures& features;
+    Cast& cast;
   };
   explicit CurvesInHand(const Parts& parts) : parts_(parts) {}
 
@@ -71,6 +73,7 @@ class CurvesInHand {
   bool touches_ = true;                       ///< the pen has stayed where it was pressed
   std::optional<document::CurveId> named_;    ///< the name of this line of the face was pressed
   std::optional<document::CurveId> touched_;  ///< by the tool Select
+  std::optional<std::size_t> character_;      ///< another one was pressed
 };
 
 }  // namespace penpose::app

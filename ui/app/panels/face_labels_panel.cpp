@@ -15,8 +15,8 @@ namespace {
 
 /// Names are beside lines while these are in hand: to draw, to touch, and to see what is erased.
 bool shows_names(drawing::ToolKind tool) {
-  using Kind = drawing::ToolKind;
-  return tool == Kind::draw || tool == Kind::none || tool == Kind::erase;
+  using ToolKind = drawing::ToolKind;
+  return tool == ToolKind::draw || tool == ToolKind::none || tool == ToolKind::erase;
 }
 
 }  // namespace

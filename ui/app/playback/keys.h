@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ui/app/cast/carried_pose.h"
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/playback/pose_clipboard.h"
@@ -66,6 +67,7 @@ class Keys {
   Notices& notices_;
   Playback& playback_;
   std::optional<PoseClipboard> clipboard_;
+  std::optional<CarriedPose> carried_;  ///< the same for another rig
   KeySelection selected_;
 };
 

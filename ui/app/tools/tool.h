@@ -89,6 +89,7 @@ struct WindowTool {
   bool shows_ghosts = false;  ///< lines at the neighbouring keys, which are drawn on
   bool erases = false;        ///< its line is broad and pale
   bool selects = false;       ///< curves, targets and controls can be taken in hand
+  bool places = false;        ///< characters can be moved in the scene
 
   /// The tool is taken in hand.
   void (*taken)(ToolHand& hand) = nullptr;
