@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <vector>
 
@@ -77,6 +78,21 @@ base::Result<std::vector<std::uint8_t>> file_of_character(base::Result<std::vect
   return std::move(cast->files[character - 1]);
 }
 
+/// Whether there is more than the two usual chunks in binary glTF, and so perhaps several characters. Reads their heads
+/// alone: models are large, and hardly any has more.
+bool has_third_chunk(const std::string& file) {
+  const auto opened = open_plain(file);
+  if (!opened) return false;
+  long at = 12;
+  for (int chunk = 0; chunk < 3; ++chunk) {
+    std::array<std::uint8_t, 8> head{};
+    if (std::fseek(opened->get(), at, SEEK_SET) != 0 || std::fread(head.data(), 1, head.size(), opened->get()) != 8)
+      return false;
+    at += 8 + static_cast<long>(*base::ByteReader(head).read<std::uint32_t>());
+  }
+  return true;
+}
+
 /// Empty where a file cannot be a project.
 io::GltfContents contents_of(const std::string& file) {
   if (!io::keeps_everything(file)) return {};
@@ -145,7 +161,7 @@ base::Result<document::Document> load_document(const std::string& called, NamedB
 }
 
 base::Result<std::optional<LoadedCast>> load_cast(const std::string& path, NamedBy named) {
-  if (path.starts_with(k_built_in) || path == k_standard_stream || !io::keeps_everything(path))
+  if (path.starts_with(k_built_in) || !io::keeps_everything(path) || !has_third_chunk(path))
     return std::optional<LoadedCast>();
   const auto bytes = read_named(path, named);
   if (!bytes) return bytes.error();
