@@ -60,8 +60,13 @@ geometry::Box Cast::box(std::size_t character) const {
 
 void Cast::place_beside(std::size_t character) {
   const std::size_t first = character == 0 ? 1 : 0;
-  const Measured there(*document(first).model);
-  const Measured here(*document(character).model);
+  Measured there(*document(first).model);
+  Measured here(*document(character).model);
+  // Of two heads not both may have shapes that say where the face is.
+  if (!there.is_figure() && !here.is_figure()) {
+    there.face = there.whole;
+    here.face = here.whole;
+  }
   const geometry::Placement& from = at(first).placement;
   const double front = from.turn_degrees + front_degrees(document(first));
   geometry::Placement to{{}, front - front_degrees(document(character)), from.scale};

@@ -160,21 +160,22 @@ TEST_F(TwoHeads, OneProjectKeepsAllAndOpensAsTheyWere) {
   EXPECT_EQ(hasher(*files::load_document(path)), first);
   EXPECT_EQ(hasher(*files::load_document(path + "?character=2")), second);
   EXPECT_FALSE(files::load_document(path + "?character=3").ok());
-  Desk again("two-again", path);
-  const Cast& opened = again.app->of<Cast>();
-  ASSERT_EQ(opened.size(), 2U);
-  EXPECT_EQ(opened.active(), 0U);
-  EXPECT_EQ(opened.at(1).name, "Otto");
-  EXPECT_EQ(opened.at(1).placement, (geometry::Placement{{0.4, 0.1, -0.2}, 20, 0.8}));
-  EXPECT_EQ(hasher(opened.document(0)), first);
-  EXPECT_EQ(hasher(opened.document(1)), second);
-  EXPECT_FALSE(again.app->of<Files>().unsaved());
-  EXPECT_EQ(again.app->of<Files>().project(), path);
-  // Saved over itself, the sessions that began on it still replay.
-  again.set(again.document().model->rig->parameters()[0].name, 0);
-  const std::string session = again.app->of<Recording>().path();
-  again.press('s', true);
-  EXPECT_FALSE(again.app->of<Files>().unsaved());
+  ASSERT_TRUE(files().open(path).ok());
+  desk_.frames();
+  ASSERT_EQ(cast().size(), 2U);
+  EXPECT_EQ(cast().active(), 0U);
+  EXPECT_EQ(cast().at(1).name, "Otto");
+  EXPECT_EQ(cast().at(1).placement, (geometry::Placement{{0.4, 0.1, -0.2}, 20, 0.8}));
+  EXPECT_EQ(hasher(cast().document(0)), first);
+  EXPECT_EQ(hasher(cast().document(1)), second);
+  EXPECT_FALSE(files().unsaved());
+  EXPECT_EQ(files().project(), path);
+  // Saved over itself, the session that began on it still replays.
+  work_on("Otto");
+  sketch_chin(desk_);
+  const std::string session = desk_.app->of<Recording>().path();
+  desk_.press('s', true);
+  EXPECT_FALSE(files().unsaved());
   replay::PlayerOptions options;
   options.open = [&](const std::string& named) {
     return files::load_document(files::find_session_model(session, named));
@@ -182,8 +183,9 @@ TEST_F(TwoHeads, OneProjectKeepsAllAndOpensAsTheyWere) {
   const auto bytes = files::read_plain_file(session);
   ASSERT_TRUE(bytes.ok());
   const auto played = replay::play_session(replay::read_from(*bytes), options);
-  ASSERT_TRUE(played.ok());
-  EXPECT_EQ(played->session->editor().state(), again.app->of<EditingSession>().state());
+  ASSERT_TRUE(played.ok()) << played.error().line();
+  EXPECT_EQ(played->differing, 0U);
+  EXPECT_EQ(played->session->editor().state(), editing().state());
 }
 
 TEST_F(TwoHeads, AProjectOfOneStaysAsItIs) {
