@@ -56,7 +56,7 @@ void measure(const std::string& what, const std::string& model, geometry::Viewpo
   app.of<Pointer>().resized(size, 0);
   desk.frames();
   FrameMaker frames({app.of<EditingSession>(), app.of<Canvas>(), app.of<CanvasLook>(), app.of<CanvasDrawing>(),
-                     app.of<Controls>(), app.of<Preferences>()});
+                     app.of<Controls>(), app.of<Preferences>(), app.of<Cast>()});
   MemoryOutput output(size);
   // By a clock that goes by itself pictures count as slow, for the time that a coarse one takes.
   std::int64_t clock_us = 0;

@@ -3,8 +3,9 @@
 #include <vector>
 
 #include "ui/app/action.h"
-#include "ui/app/controls/control_actions.h"
 #include "ui/app/camera/camera_actions.h"
+#include "ui/app/cast/cast_actions.h"
+#include "ui/app/controls/control_actions.h"
 #include "ui/app/face/neutral_face.h"
 #include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
@@ -401,6 +402,8 @@ std::vector<ActionInfo> made_actions() {
   all.insert(all.end(), of_time.begin(), of_time.end());
   const auto of_cameras = camera_actions();
   all.insert(all.end(), of_cameras.begin(), of_cameras.end());
+  const auto of_cast = cast_actions();
+  all.insert(all.end(), of_cast.begin(), of_cast.end());
   return all;
 }
 

@@ -42,6 +42,8 @@ App::App(AppOptions options)
       recording_({options_.folders.state, options_.session, options_.program, options_.date}, editing_, notices_),
       actions_(*this),
       canvas_(editing_, preferences_, notices_, player_),
+      cast_(editing_, recording_, canvas_),
+      cast_note_(sessions_in(options_.folders.state), cast_),
       features_(options_.folders.config, editing_, notices_),
       controls_(editing_, notices_, canvas_, panels_),
       restriction_(editing_, notices_),
@@ -52,14 +54,15 @@ App::App(AppOptions options)
       performer_(editing_, notices_, playback_, player_),
       ghosts_({editing_, playback_, notices_, canvas_, look_}),
       tool_({editing_, controls_, panels_, playback_, performer_, canvas_, arcs_, ghosts_}),
-      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_, restriction_}),
+      curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_, features_, restriction_, cast_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
       undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
-              player_, performer_, notices_, preferences_, dialogs_, tour_, features_, [this] { show_anew(); }}),
+              cast_, player_, performer_, notices_, preferences_, dialogs_, tour_, features_, [this] { show_anew(); },
+              [this] { show_character(); }}),
       sound_(editing_, notices_, playback_, files_),
       references_({editing_, canvas_, look_, playback_, notices_, files_, films_in(options_.folders)}),
-      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_}),
+      film_({editing_, notices_, canvas_, look_, playback_, sound_, files_, preferences_, cast_}),
       mouths_(editing_, notices_, playback_),
       first_pass_(editing_, notices_, playback_, sound_),
       shelf_(options_.folders.poses, editing_, preferences_, notices_, files_),
@@ -84,7 +87,7 @@ App::App(AppOptions options)
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
               tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_,
               sound_, overlap_, ghosts_, mouths_, first_pass_, system_dialogs_, shelf_, features_, restriction_,
-              cameras_, references_, drops_) {
+              cameras_, references_, drops_, cast_) {
   dialogs_.send_elsewhere([this](Dialog dialog) { return system_dialogs_.takes(dialog); });
   canvas_.ask_scale(options_.scale);
   // Before the first frame nobody knows where panels are.
@@ -102,6 +105,7 @@ App::~App() {
   // What no memory was left for is offered at the next start, as after a crash.
   if (std::uncaught_exceptions() > 0) recording_.leave_work(true);
   recording_.end();
+  cast_note_.end(recording_.leaves_work());
 }
 
 void App::show_anew() {
@@ -116,6 +120,17 @@ void App::show_anew() {
   cameras_.begin();
   undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
+}
+
+void App::show_character() {
+  overlap_.forget();
+  features_.forget();
+  controls_.open_document();
+  curves_.forget();
+  mouths_.forget();
+  undrawn_.begin(*editing_.document().model);
+  tablet_events_.plug_in_anew();
+  playback_.take_over();
 }
 
 void App::play_trace(std::int64_t passed_us) {
@@ -140,6 +155,7 @@ void App::advance() {
   // Nobody reads what stands behind a dialog.
   if (!(dialogs_.open() == Dialog::none)) notices_.wait();
   notices_.expire();
+  if (const auto asked = cast_.take_asked()) files_.work_on(*asked);
   canvas_.commit();
   // Before the first frame nothing is known of what is hit, and keys would do nothing.
   if (player_.trace && shown) play_trace(std::min(passed, k_longest_step_us));
@@ -148,6 +164,7 @@ void App::advance() {
   film_.follow();
   system_dialogs_.follow();
   dials_.follow();
+  playback_.others_end(cast_.several() ? cast_.last_key_s() : 0);
   playback_.advance(now);
   sound_.follow(now);
   cameras_.follow();
@@ -202,6 +219,8 @@ void App::follow_habits() {
 void App::begin_frame() {
   advance();
   canvas_.surface().update(editing_.shown().model(), editing_.shown().pose());
+  if (cast_.several()) cast_.follow(playback_.time_s(), playback_.playing());
+  cast_note_.follow();
   CurveLook look;
   look.scale = static_cast<float>(canvas_.scale());
   // Lines of the moment in which a performance began are those that it pulls at.

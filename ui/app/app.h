@@ -9,6 +9,8 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/canvas/curves_in_hand.h"
 #include "ui/app/canvas/undrawn_textures.h"
+#include "ui/app/cast/cast.h"
+#include "ui/app/cast/cast_note.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/controls/restriction.h"
 #include "ui/app/dialogs/dialogs.h"
@@ -85,6 +87,8 @@ class App {
  private:
   /// Another document was opened.
   void show_anew();
+  /// Another character of the scene is worked on.
+  void show_character();
   void play_trace(std::int64_t passed_us);
   void follow_habits();
   void follow_ghosts(double time_s);
@@ -104,6 +108,8 @@ class App {
   Dialogs dialogs_;
   Actions actions_;
   Canvas canvas_;
+  Cast cast_;
+  CastNote cast_note_;
   KeptFeatures features_;
   Controls controls_;
   Restriction restriction_;
@@ -148,7 +154,7 @@ class App {
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
              HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&, SoundTrack&, OverlapOffer&,
              GhostHand&, KeptMouths&, FirstPass&, SystemDialogs&, PoseShelf&, KeptFeatures&, Restriction&, CameraDesk&,
-             ReferenceDesk&, DropDesk&>
+             ReferenceDesk&, DropDesk&, Cast&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <vector>
 
@@ -14,8 +15,10 @@
 #include "core/io/gltf/read/gltf_contents.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/model/read_model.h"
+#include "core/io/project/cast_file.h"
 #include "core/io/project/read_document.h"
 #include "ui/files/files.h"
+#include "ui/files/open_file.h"
 
 namespace penpose::files {
 
@@ -58,6 +61,38 @@ ModelName named_model(const std::string& path, const io::Orientation& orientatio
   return name;
 }
 
+constexpr std::string_view k_character = "?character=";
+
+/// The bytes of one character. Errors: there is none of that number; those of read_cast.
+base::Result<std::vector<std::uint8_t>> file_of_character(base::Result<std::vector<std::uint8_t>> bytes,
+                                                          std::size_t character) {
+  if (!bytes) return bytes;
+  const bool several = io::holds_cast(*bytes);
+  if (!several && character == 1) return bytes;
+  auto cast = several ? io::read_cast(*bytes) : base::Result<io::Cast>(io::Cast{0, {}, {{}}});
+  if (!cast) return cast.error();
+  if (character > cast->files.size()) {
+    return base::Error{"the file has no character " + std::to_string(character), "",
+                       "name one from 1 to " + std::to_string(cast->files.size())};
+  }
+  return std::move(cast->files[character - 1]);
+}
+
+/// Whether there is more than the two usual chunks in binary glTF, and so perhaps several characters. Reads their heads
+/// alone: models are large, and hardly any has more.
+bool has_third_chunk(const std::string& file) {
+  const auto opened = open_plain(file);
+  if (!opened) return false;
+  long at = 12;
+  for (int chunk = 0; chunk < 3; ++chunk) {
+    std::array<std::uint8_t, 8> head{};
+    if (std::fseek(opened->get(), at, SEEK_SET) != 0 || std::fread(head.data(), 1, head.size(), opened->get()) != 8)
+      return false;
+    at += 8 + static_cast<long>(*base::ByteReader(head).read<std::uint32_t>());
+  }
+  return true;
+}
+
 /// Empty where a file cannot be a project.
 io::GltfContents contents_of(const std::string& file) {
   if (!io::keeps_everything(file)) return {};
@@ -68,6 +103,7 @@ io::GltfContents contents_of(const std::string& file) {
 }  // namespace
 
 std::string ModelName::text() const {
+  if (character > 1) return file + std::string(k_character) + std::to_string(character);
   for (const auto& [end, meant] : k_ends) {
     if (meant.up == orientation.up && meant.left_handed == orientation.left_handed) return file + std::string(end);
   }
@@ -80,6 +116,10 @@ ModelName model_name(const std::string& text) {
     if (!text.ends_with(end) || std::filesystem::exists(text, code)) continue;
     return {text.substr(0, text.size() - end.size()), meant};
   }
+  const std::size_t at = text.rfind(k_character);
+  const auto number = at == std::string::npos ? std::nullopt : base::parse_int(text.substr(at + k_character.size()));
+  if (number && *number > 0 && !std::filesystem::exists(text, code))
+    return {text.substr(0, at), {}, static_cast<std::size_t>(*number)};
   return {text, {}};
 }
 
@@ -93,12 +133,12 @@ bool is_project(const std::string& file) { return contents_of(file).is_project; 
 bool is_older_project(const std::string& file) { return contents_of(file).is_older_project; }
 
 base::Result<document::Model> load_model(const std::string& called, NamedBy named, const io::Orientation& wanted) {
-  const auto [path, orientation] = named_model(called, wanted);
+  const auto [path, orientation, character] = named_model(called, wanted);
   if (path.starts_with(k_built_in)) {
     if (!orientation.is_usual()) return says_itself();
     return built_in_model(std::string_view(path).substr(k_built_in.size()));
   }
-  const auto bytes = read_named(path, named);
+  const auto bytes = file_of_character(read_named(path, named), character);
   if (!bytes) return bytes.error();
   auto model = io::read_model(*bytes, path, files_beside(path));
   if (!model || orientation.is_usual()) return model;
@@ -108,16 +148,35 @@ base::Result<document::Model> load_model(const std::string& called, NamedBy name
 
 base::Result<document::Document> load_document(const std::string& called, NamedBy named,
                                                const io::Orientation& wanted) {
-  const auto [path, orientation] = named_model(called, wanted);
+  const auto [path, orientation, character] = named_model(called, wanted);
   // What leaves its orientation open is no project.
   if (path.starts_with(k_built_in) || !orientation.is_usual()) {
     auto model = load_model(path, named, orientation);
     if (!model) return model.error();
     return document::make_document(std::move(model).value());
   }
-  const auto bytes = read_named(path, named);
+  const auto bytes = file_of_character(read_named(path, named), character);
   if (!bytes) return bytes.error();
   return io::read_document(*bytes, path, files_beside(path));
+}
+
+base::Result<std::optional<LoadedCast>> load_cast(const std::string& path, NamedBy named) {
+  if (path.starts_with(k_built_in) || !io::keeps_everything(path) || !has_third_chunk(path))
+    return std::optional<LoadedCast>();
+  const auto bytes = read_named(path, named);
+  if (!bytes) return bytes.error();
+  if (!io::holds_cast(*bytes)) return std::optional<LoadedCast>();
+  auto cast = io::read_cast(*bytes);
+  if (!cast) return cast.error();
+  LoadedCast loaded;
+  for (const auto& file : cast->files) {
+    auto document = io::read_document(file, path, files_beside(path));
+    if (!document) return document.error();
+    loaded.documents.push_back(std::move(*document));
+  }
+  cast->files.clear();
+  loaded.cast = std::move(*cast);
+  return std::optional(std::move(loaded));
 }
 
 base::Status set_parameter(document::Model& model, const std::string& assignment) {

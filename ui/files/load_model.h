@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/io/project/cast_file.h"
 #include "core/io/surface/orientation.h"
 
 namespace penpose::files {
@@ -12,11 +16,13 @@ namespace penpose::files {
 /// plain files are opened.
 enum class NamedBy : bool { user, file };
 
-/// A model's file and how its coordinates are meant. As one text, as sessions and the lists of what was opened keep it,
-/// what is not usual stands behind the path: "head.obj?up=z", "head.obj?left-handed", "head.obj?up=z&left-handed".
+/// A model's file, how its coordinates are meant, and which character of a project of several it is. As one text, as
+/// sessions and the lists of what was opened keep it, what is not usual stands behind the path: "head.obj?up=z",
+/// "head.obj?left-handed", "head.obj?up=z&left-handed", "scene.glb?character=2".
 struct ModelName {
   std::string file;
   io::Orientation orientation;
+  std::size_t character = 1;  ///< from 1
 
   [[nodiscard]] std::string text() const;
 };
@@ -41,6 +47,14 @@ struct ModelName {
 /// The same as a document: of a project with all that it keeps beyond its model.
 [[nodiscard]] base::Result<document::Document> load_document(const std::string& path, NamedBy named = NamedBy::user,
                                                              const io::Orientation& orientation = {});
+
+/// The characters of a project of several.
+struct LoadedCast {
+  io::Cast cast;  ///< without files
+  std::vector<document::Document> documents;
+};
+/// Opens them; nothing: the file is no project of several characters. Errors: as load_document.
+[[nodiscard]] base::Result<std::optional<LoadedCast>> load_cast(const std::string& path, NamedBy named = NamedBy::user);
 
 /// Sets one parameter of the model's pose, or the targets of one expression, from "NAME=VALUE". Errors: no "=", no
 /// number, no parameter and no expression of that name (the

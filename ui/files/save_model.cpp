@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/base/text/shown_text.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"
@@ -79,6 +80,22 @@ base::Status save_document(const document::Document& document, const std::string
   io::WriteReport report;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
   return save(io::write_document(document, format_hint(path), options, &report), report, options, animated, path, say);
+}
+
+base::Status save_cast(io::Cast cast, std::span<const document::Document* const> documents, const std::string& path) {
+  const std::string extension = base::lower_case(std::filesystem::path(path).extension().string());
+  if (extension != ".glb") {
+    return base::Error{"several characters are kept in a .glb file alone", "",
+                       "save under a name that ends in .glb, or export each character"};
+  }
+  cast.files.clear();
+  for (const document::Document* document : documents) {
+    auto bytes = io::write_document(*document, path);
+    if (!bytes) return bytes.error();
+    cast.files.push_back(std::move(*bytes));
+  }
+  const auto whole = io::write_cast(cast);
+  return whole ? write_file(path, *whole) : whole.error();
 }
 
 base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say,

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/document/document.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/placement.h"
 #include "ui/film/film_ghosts.h"
 #include "ui/render/appearance.h"
 #include "ui/render/renderer.h"
@@ -35,12 +36,19 @@ struct FrameLook {
   FilmGhosts* ghosts = nullptr;  ///< the face before and after; null: it is not shown
 };
 
+/// Another character that is filmed beside one.
+struct Beside {
+  document::Document document;
+  geometry::Placement placement;  ///< seen from the one
+  render::Appearance appearance;
+};
+
 /// The frames of a document's timeline or, where nothing is keyed, of its model's first animation. A camera that is
 /// keyed is enough.
 class FilmFrames {
  public:
-  /// Errors: nothing is keyed and the model has no animation.
-  static base::Result<FilmFrames> make(document::Document document, double rate);
+  /// Errors: of none anything is keyed, and no model has an animation.
+  static base::Result<FilmFrames> make(document::Document document, double rate, std::vector<Beside> others = {});
 
   /// The number of the last frame that anything is keyed on.
   [[nodiscard]] int last() const;
@@ -53,11 +61,16 @@ class FilmFrames {
   /// What the camera of the timeline shows at a frame in a part of a picture; nothing: no camera is keyed.
   [[nodiscard]] std::optional<geometry::Camera> camera_at(int frame, geometry::Viewport whole,
                                                           const std::optional<PxPart>& part) const;
+  /// Those beside it, and one of them as it is at a frame.
+  [[nodiscard]] const std::vector<Beside>& others() const { return others_; }
+  [[nodiscard]] base::Result<document::Model> other_at(std::size_t other, int frame) const;
 
  private:
   FilmFrames() = default;
+  [[nodiscard]] std::vector<const document::Document*> all() const;
 
   document::Document document_;
+  std::vector<Beside> others_;
   double rate_ = 24;
 };
 

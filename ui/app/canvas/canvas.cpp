@@ -13,17 +13,16 @@ namespace {
 /// The view by which a project keeps what its front is.
 constexpr std::string_view k_front = "front";
 
-/// Degrees about +Y by which the model's own front stands away from +Z: as it was set, else as the file has it.
-double front_of(const document::Document& document) {
+constexpr double k_usual_dpi = 96;
+
+}  // namespace
+
+double front_degrees(const document::Document& document) {
   for (const auto& named : document.views) {
     if (named->name == k_front) return viewpoint_of(named->view.camera).yaw_degrees;
   }
   return document.model->front_yaw_degrees;
 }
-
-constexpr double k_usual_dpi = 96;
-
-}  // namespace
 
 Canvas::Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player)
     : editing_(editing), preferences_(preferences), notices_(notices), player_(player) {}
@@ -95,6 +94,13 @@ void Canvas::frame_all() {
   frame_from(viewpoint_of(view_.camera));
 }
 
+void Canvas::frame_points(std::span<const glm::vec3> points) {
+  const bool was_flat = flat();
+  view_ = framed(points, window_, free_, viewpoint_of(view_.camera));
+  framed_ = false;
+  if (was_flat) set_flat(true);
+}
+
 void Canvas::frame_face() {
   frames_face_ = true;
   frame_from(viewpoint_of(view_.camera));
@@ -124,7 +130,7 @@ void Canvas::frame_from(const render::Viewpoint& from) {
 }
 
 void Canvas::look_from(const render::Viewpoint& viewpoint) {
-  const render::Viewpoint from{viewpoint.yaw_degrees + front_of(editing_.document()), viewpoint.pitch_degrees};
+  const render::Viewpoint from{viewpoint.yaw_degrees + front_degrees(editing_.document()), viewpoint.pitch_degrees};
   if (framed_) return frame_from(from);
   // Whoever looks closely goes on looking closely; Frame shows all.
   if (!editing_.pen_is_drawing()) view_.camera = seen_from(view_, from, free_.middle());
@@ -132,7 +138,7 @@ void Canvas::look_from(const render::Viewpoint& viewpoint) {
 
 render::Viewpoint Canvas::looking_from() const {
   const render::Viewpoint now = viewpoint_of(view_.camera);
-  return {now.yaw_degrees - front_of(editing_.document()), now.pitch_degrees};
+  return {now.yaw_degrees - front_degrees(editing_.document()), now.pitch_degrees};
 }
 
 void Canvas::set_front() {

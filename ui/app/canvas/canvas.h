@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ui/app/files/player.h"
@@ -33,6 +34,9 @@ struct CanvasDrawing {
   std::vector<render::CurveDrawing> curves;
   std::shared_ptr<const render::Image> veil;  ///< of ghosts; null: none
 };
+
+/// Degrees about +y by which a document's own front stands away from +z: as it was set, else as the file has it.
+[[nodiscard]] double front_degrees(const document::Document& document);
 
 /// The model as it is seen: the window's size, the part that panels leave free, the camera, the posed surface.
 /// Coordinates are px of the window.
@@ -69,6 +73,8 @@ class Canvas {
   void show_played();
   /// Looks at all of the model from where one looks.
   void frame_all();
+  /// Looks at points from where one looks.
+  void frame_points(std::span<const glm::vec3> points);
   /// Looks at the face from where one looks; at all of a model that is nothing but a face.
   void frame_face();
   /// Looks at another model from its front: at the face of a whole figure, else at all of it.

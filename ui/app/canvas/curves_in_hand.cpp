@@ -49,6 +49,7 @@ void CurvesInHand::forget() {
   target_.reset();
   control_target_.reset();
   place_.reset();
+  character_.reset();
   parts_.panels.curve_menu.reset();
   parts_.panels.feature_menu.reset();
 }
@@ -83,7 +84,13 @@ void CurvesInHand::press(PxPoint at) {
   parts_.panels.feature_menu.reset();
   pressed_ = at;
   touches_ = true;
+  character_.reset();
   if (parts_.tool.now().pulls) return take_place(at);
+  if (parts_.tool.now().places) {
+    character_ = parts_.cast.touched(at);
+    parts_.cast.take_in_hand(at);
+    return;
+  }
   named_ = name_at(at);
   if (named_ && parts_.tool.now().selects) return;
   if (parts_.tool.now().selects) select_at(at);
@@ -151,7 +158,9 @@ void CurvesInHand::select_at(PxPoint at) {
     touched_ = *lit_;
     return;
   }
-  if (!take_control_target(at)) select_control_at(at);
+  if (take_control_target(at)) return;
+  character_ = parts_.cast.touched(at);
+  if (!character_) select_control_at(at);
 }
 
 void CurvesInHand::select_control_at(PxPoint at) {
@@ -206,6 +215,7 @@ void CurvesInHand::move(PxPoint at) {
   parts_.tool.move(at);
   if (place_) return parts_.editing.shown().pull_place(at - *place_);
   touches_ = touches_ && !is_far(at - pressed_);
+  if (parts_.tool.now().places && parts_.cast.several() && !touches_) parts_.cast.drag_to(at);
   if (control_target_) parts_.editing.shown().hold_control_target(control_pull(at));
   if (!target_) return;
   const PxPoint by = at - target_->second;
@@ -247,6 +257,9 @@ void CurvesInHand::release(PxPoint at) {
   parts_.tool.release();
   parts_.controls.show_new();
   parts_.controls.lent().release();
+  if (const auto character = std::exchange(character_, std::nullopt); character && touches_)
+    return parts_.cast.ask_for(*character);
+  if (parts_.tool.now().places) return;
   if (!parts_.tool.now().pulls && take_feature(at)) return;
   // A line may begin at a name; a touch of it is no line.
   if (const auto named = std::exchange(named_, std::nullopt); named && !is_far(at - pressed_)) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/app/cast/cast.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/controls/restriction.h"
 #include "ui/app/face/kept_features.h"
@@ -27,6 +28,7 @@ class CurvesInHand {
     ToolInHand& tool;
     const KeptFeatures& features;
     const Restriction& restriction;
+    Cast& cast;
   };
   explicit CurvesInHand(const Parts& parts) : parts_(parts) {}
 
@@ -76,6 +78,7 @@ class CurvesInHand {
   bool touches_ = true;                       ///< the pen has stayed where it was pressed
   std::optional<document::CurveId> named_;    ///< the name of this line of the face was pressed
   std::optional<document::CurveId> touched_;  ///< by the tool Select
+  std::optional<std::size_t> character_;      ///< another one was pressed
 };
 
 }  // namespace penpose::app

@@ -39,6 +39,8 @@ void show_cameras_dialog(PanelContext&, EditingSession&, CameraDesk&, Dialogs&);
 void show_first_pass_dialog(PanelContext&, EditingSession&, SoundTrack&, KeptMouths&, FirstPass&, Files&, Preferences&,
                             Dialogs&);
 void show_model_notes_dialog(PanelContext&, const EditingSession&, const UndrawnTextures&);
+void show_add_character_dialog(PanelContext&, Files&, Notices&, Preferences&, Dialogs&);
+void show_characters_dialog(PanelContext&, Cast&, Files&, Dialogs&);
 
 namespace {
 
@@ -83,6 +85,8 @@ constexpr std::array k_dialogs{
     DialogRow{Dialog{"keyboard"}, show<show_keyboard_dialog>},
     DialogRow{Dialog::sound, show<show_sound_dialog>},
     DialogRow{Dialog{"bookmark"}, show<show_bookmark_dialog>},
+    DialogRow{Dialog{"add character"}, show<show_add_character_dialog>},
+    DialogRow{Dialog{"characters"}, show<show_characters_dialog>},
     DialogRow{Dialog{"clips"}, show<show_clips_dialog>},
     DialogRow{Dialog{"model notes"}, show<show_model_notes_dialog>},
     DialogRow{Dialog{"drop"}, show<show_drop_dialog>},

@@ -186,6 +186,14 @@ void show_export_dialog(PanelContext& context, Files& files, Notices& notices, P
         context.actions.run(Action::cancel);
       }
     }
+    if (files.has_several() && !path.empty() &&
+        wide_button(context, "Each character##now", 0, false, "Write every character into a file of its own")) {
+      if (const auto written = files.export_each(path); !written) {
+        notices.tell(written.error().line(), true);
+      } else {
+        context.actions.run(Action::cancel);
+      }
+    }
   }
   end_dialog();
 }

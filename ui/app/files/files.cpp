@@ -51,7 +51,19 @@ std::string private_folder() {
 
 }  // namespace
 
-void Files::begin_session(document::Document document, const std::string& path) {
+constexpr Files::Joins Files::k_alone{false, nullptr};
+
+void Files::join(const Joins& joins) {
+  if (joins.beside) {
+    parts_.cast.add(path_, joins.like);
+    parts_.switched();
+  } else {
+    parts_.cast.begin(path_);
+    parts_.opened();
+  }
+}
+
+void Files::begin_session(document::Document document, const std::string& path, const Joins& joins) {
   parts_.performer.drop();
   std::unique_ptr<SessionFile> next = parts_.recording.next();
   std::error_code code;
@@ -63,11 +75,12 @@ void Files::begin_session(document::Document document, const std::string& path) 
   parts_.recording.take(std::move(next));
   path_ = full;
   // A model that others made is no file to save to: the first save asks for a name.
-  set_project(files::is_project(full) ? full : std::string());
-  parts_.opened();
+  if (!joins.beside) project_ = files::is_project(full) ? full : std::string();
+  join(joins);
+  set_project(project_);
 }
 
-void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file) {
+void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file, const Joins& joins) {
   parts_.performer.drop();
   parts_.recording.end();
   parts_.player.trace.reset();
@@ -75,8 +88,8 @@ void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> fil
   parts_.editing.resume(std::move(*played.session), file ? &file->writer() : nullptr, played.last_us);
   parts_.recording.take(std::move(file));
   path_ = played.model;
-  project_ = project;
-  parts_.opened();
+  if (!joins.beside) project_ = project;
+  join(joins);
 }
 
 void Files::set_project(const std::string& path) {
@@ -84,6 +97,7 @@ void Files::set_project(const std::string& path) {
   noted_ = parts_.editing.revision();
   const bool saved = !parts_.editing.unsaved() && !path.empty();
   parts_.recording.note_project(path, saved ? parts_.editing.state().whole.hex() : std::string());
+  parts_.cast.note_project(path);
 }
 
 void Files::follow() {
@@ -101,9 +115,16 @@ base::Status Files::open(const std::string& path) {
     return base::Done{};
   }
   if (is_trace(path)) return open_session(path);
+  auto cast = files::load_cast(path, files::NamedBy::file);
+  if (!cast) return cast.error();
+  if (*cast) {
+    open_cast(std::move(**cast), path, false);
+    parts_.preferences.remember(project_);
+    return base::Done{};
+  }
   auto document = files::load_document(path, files::NamedBy::file);
   if (!document) return document.error();
-  begin_session(std::move(*document), path);
+  begin_session(std::move(*document), path, k_alone);
   parts_.features.begin(!path.starts_with("builtin:"));
   if (!parts_.preferences.settings().pose_first) {
     drawing::Tool draw;
@@ -134,7 +155,7 @@ base::Status Files::open_session(const std::string& path) {
   if (const auto saved = files::save_document(played->session->editor().document(), copy); !saved) return saved.error();
   auto again = files::load_document(copy);
   if (!again) return again.error();
-  begin_session(std::move(*again), copy);
+  begin_session(std::move(*again), copy, k_alone);
   set_project({});
   return base::Done{};
 }
@@ -151,7 +172,7 @@ base::Status Files::draw_again(const std::string& path) {
   }
   parts_.dialogs.state<DrawnAgain>() = {fs::path(path).stem().string(), *std::move(played->redrawn)};
   played->model = place_of(played->model);
-  resume(std::move(*played), std::move(next));
+  resume(std::move(*played), std::move(next), k_alone);
   parts_.dialogs.show(Dialog::drawn_again);
   return base::Done{};
 }
@@ -205,7 +226,7 @@ base::Status Files::play_trace(const std::string& path) {
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
     if (!(found == player->model()->hash)) return replay::changed_model_error(model, found, player->model()->hash);
-    begin_session(std::move(*document), model);
+    begin_session(std::move(*document), model, k_alone);
     // What is played is no work on the model's own file.
     set_project({});
     parts_.editing.act(replay::ToolChosen{});
@@ -219,10 +240,11 @@ base::Status Files::play_trace(const std::string& path) {
   return base::Done{};
 }
 
-std::optional<document::SetSound> Files::renamed_sound(const std::string& path) const {
-  const auto& sound = parts_.editing.document().sound;
+std::optional<document::SetSound> Files::renamed_sound(const document::Document& document, const std::string& opened,
+                                                       const std::string& path) const {
+  const auto& sound = document.sound;
   if (!sound || !io::keeps_everything(path)) return std::nullopt;
-  const std::string name = files::sound_named_from(sound->file, project_.empty() ? path_ : project_, path);
+  const std::string name = files::sound_named_from(sound->file, project_.empty() ? opened : project_, path);
   if (name == sound->file) return std::nullopt;
   return document::SetSound{name, sound->content, sound->offset_s};
 }
@@ -236,6 +258,7 @@ std::optional<document::SetReference> Files::renamed_reference(const std::string
 }
 
 base::Status Files::save(const std::string& path) {
+  if (parts_.cast.several()) return save_all(path);
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
   const std::string opened = files::model_name(path_).file;
@@ -247,7 +270,7 @@ base::Status Files::save(const std::string& path) {
           "save under another name, or make room at " + fs::path(parts_.recording.path()).parent_path().string()};
     }
   }
-  const auto sound = renamed_sound(path);
+  const auto sound = renamed_sound(parts_.editing.document(), path_, path);
   const auto with_sound =
       sound ? parts_.editing.after(*sound) : base::Result<document::Document>(parts_.editing.document());
   if (!with_sound) return with_sound.error();
@@ -260,6 +283,7 @@ base::Status Files::save(const std::string& path) {
     if (sound) parts_.editing.perform_with(*sound);
     if (reference) parts_.editing.perform_with(*reference);
     parts_.editing.mark_saved();
+    parts_.cast.mark_saved();
     set_project(full);
   }
   parts_.preferences.remember(full);
@@ -295,7 +319,7 @@ base::Status Files::bring_back(const std::string& path) {
   if (!played) return played.error();
   auto file = SessionFile::resume(path, parts_.program);
   if (file && !played->divergence) {
-    resume(std::move(*played), std::move(*file));
+    resume(std::move(*played), std::move(*file), k_alone);
     return base::Done{};
   }
   // What cannot be gone on with is left as it is, to be offered again, and its end is what a new session begins on.

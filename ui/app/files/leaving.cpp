@@ -11,13 +11,13 @@ Leaving::Leaving(EditingSession& editing, Files& files, Recording& recording, Di
     : editing_(editing), files_(files), recording_(recording), dialogs_(dialogs), notices_(notices) {}
 
 void Leaving::ask_to_open(const std::string& path) {
-  if (!editing_.unsaved()) return files_.try_open(path);
+  if (!files_.unsaved()) return files_.try_open(path);
   dialogs_.state<UnsavedWork>().then_opens = path;
   dialogs_.show(Dialog::unsaved);
 }
 
 void Leaving::ask_to_quit() {
-  if (editing_.unsaved() && dialogs_.open() != Dialog::unsaved) {
+  if (files_.unsaved() && dialogs_.open() != Dialog::unsaved) {
     dialogs_.state<UnsavedWork>().then_opens.clear();
     dialogs_.show(Dialog::unsaved);
     return;
@@ -28,7 +28,7 @@ void Leaving::ask_to_quit() {
 void Leaving::quit_at_once() {
   // A stroke that goes on ends here, as if the tablet had been unplugged.
   for (const int device : editing_.session().pens().drawing()) editing_.input().disconnect(device);
-  recording_.leave_work(editing_.unsaved());
+  recording_.leave_work(files_.unsaved());
   quit_ = true;
 }
 
@@ -41,7 +41,7 @@ void Leaving::save_from_dialog(const std::string& chosen) {
   if (const auto saved = files_.save(path); !saved) return notices_.tell(saved.error().line(path), true);
   dialogs_.show(Dialog::none);
   dialogs_.state<FileChoice>().name.clear();
-  if (std::exchange(dialogs_.state<UnsavedWork>().saves_first, false) && !editing_.unsaved()) go_on_without_saving();
+  if (std::exchange(dialogs_.state<UnsavedWork>().saves_first, false) && !files_.unsaved()) go_on_without_saving();
 }
 
 void Leaving::save_first() {

@@ -9,9 +9,26 @@ Recording::Recording(Options options, const EditingSession& editing, Notices& no
 
 void Recording::end() {
   if (!file_) return;
-  const document::History& history = editing_.editor().history();
-  const bool worth = keep_ || history.undo_count() > 0 || history.redo_count() > 0;
-  if (!worth || !leaves_work_) file_->finish(worth);
+  Aside aside{std::move(file_), keep_};
+  end(aside, editing_.editor().history());
+  file_ = std::move(aside.file);
+}
+
+void Recording::end(Aside& aside, const document::History& history) {
+  if (!aside.file) return;
+  const bool worth = aside.keep || history.undo_count() > 0 || history.redo_count() > 0;
+  if (!worth || !leaves_work_) aside.file->finish(worth);
+}
+
+Recording::Aside Recording::set_aside() {
+  broken_told_ = false;
+  return {std::move(file_), std::exchange(keep_, false)};
+}
+
+void Recording::take_up(Aside aside) {
+  file_ = std::move(aside.file);
+  keep_ = aside.keep;
+  broken_told_ = false;
 }
 
 std::unique_ptr<SessionFile> Recording::next() {
@@ -20,15 +37,15 @@ std::unique_ptr<SessionFile> Recording::next() {
 }
 
 std::unique_ptr<SessionFile> Recording::beside() {
-  const bool named = !options_.first.empty() && !file_;
+  const bool named = !options_.first.empty();
   keep_next_ = named;
   if (!named && options_.state_folder.empty()) return nullptr;
-  auto made = named ? SessionFile::create(options_.first, options_.program)
+  const std::string first = std::exchange(options_.first, {});
+  auto made = named ? SessionFile::create(first, options_.program)
                     : SessionFile::create_in(options_.state_folder + "/sessions",
                                              options_.date ? options_.date() : "session", options_.program);
   if (made) return std::move(*made);
-  notices_.tell("this session is not recorded: " + made.error().line(named ? options_.first : options_.state_folder),
-                true);
+  notices_.tell("this session is not recorded: " + made.error().line(named ? first : options_.state_folder), true);
   return nullptr;
 }
 

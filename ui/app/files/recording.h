@@ -31,8 +31,20 @@ class Recording {
   void end();
   /// Records into a file from now on; null: into none.
   void take(std::unique_ptr<SessionFile> file);
+  /// Gives the file away, with the session that goes on in it while another one is recorded.
+  struct Aside {
+    std::unique_ptr<SessionFile> file;
+    bool keep = false;
+  };
+  [[nodiscard]] Aside set_aside();
+  /// Records into a file again that was set aside.
+  void take_up(Aside aside);
+  /// Ends a session that was set aside, as `end` does.
+  void end(Aside& aside, const document::History& history);
+
   /// Leaves the session as after a crash when it ends.
   void leave_work(bool leaves) { leaves_work_ = leaves; }
+  [[nodiscard]] bool leaves_work() const { return leaves_work_; }
 
   /// Where it is recorded; empty: nowhere.
   [[nodiscard]] std::string path() const { return file_ ? file_->path() : std::string(); }

@@ -188,6 +188,11 @@ std::vector<std::string> abandoned_sessions(const std::string& folder) {
   return found;
 }
 
+bool is_open_session(const std::string& path) {
+  std::error_code code;
+  return !path.empty() && fs::exists(path + k_lock, code);
+}
+
 void settle_session(const std::string& path) { remove_quietly(path + k_lock); }
 
 std::string free_path(const std::string& folder, const std::string& stem, const std::string& extension) {

@@ -63,6 +63,8 @@ class SessionFile {
 /// Sessions of a folder that were never finished and that no running program writes, the newest first. Those in which
 /// nothing was done are tidied away, those whose work was saved count as finished.
 [[nodiscard]] std::vector<std::string> abandoned_sessions(const std::string& folder);
+/// Whether a session was not finished, or is being written.
+[[nodiscard]] bool is_open_session(const std::string& path);
 /// The session counts as finished from now on.
 void settle_session(const std::string& path);
 /// All sessions of a folder, the newest first.

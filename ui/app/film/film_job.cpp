@@ -94,9 +94,11 @@ std::vector<std::string> words_of(const FilmOrder& order, const std::string& fol
 }  // namespace
 
 base::Result<FilmJob> FilmJob::start(const document::Document& document, const FilmOrder& order) {
-  if (document.timeline->keys.empty() && !document.camera) {
+  const auto keyed = [](const document::Document* one) {
+    return !one->timeline->keys.empty() || one->camera != nullptr;
+  };
+  if (!keyed(&document) && std::none_of(order.documents.begin(), order.documents.end(), keyed))
     return base::Error{"there is nothing to film", "", "key a pose first"};
-  }
   if (film::row_of(order.kind).needs_ffmpeg && !film::has_ffmpeg()) return film::no_ffmpeg();
   FilmJob job;
   job.order_ = order;
@@ -107,9 +109,11 @@ base::Result<FilmJob> FilmJob::start(const document::Document& document, const F
     return base::Error{"there is no place for the pictures of the film", "", "set TMPDIR to a folder with room"};
   }
   job.folder_ = folder;
-  if (auto saved = files::save_document(document, folder + "/model.glb", files::SaveNotes::quiet); !saved) {
-    return saved.error();
-  }
+  const std::string model = folder + "/model.glb";
+  const auto saved = order.documents.empty() ? files::save_document(document, model, files::SaveNotes::quiet)
+                                             : files::save_cast(order.characters, order.documents, model);
+  if (!saved) return saved.error();
+  job.order_.documents.clear();
   if (auto written = write_text(folder + "/camera.json", camera_text(order.view.camera)); !written)
     return written.error();
   if (!film::row_of(order.kind).sounds) job.order_.sound = nullptr;

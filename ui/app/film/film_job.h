@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/io/project/cast_file.h"
 #include "core/sound/sound.h"
 #include "ui/app/film/film_view.h"
 #include "ui/film/film_kind.h"
@@ -35,6 +36,8 @@ struct FilmOrder {
   bool light = false;                         ///< the ground behind the model is
   const sound::Sound* sound = nullptr;        ///< null: none
   double sound_offset_s = 0;
+  io::Cast characters{};                               ///< all that are seen; without members: one document
+  std::vector<const document::Document*> documents{};  ///< one each; no longer read once it has started
 };
 
 /// How many pictures of a film are drawn.

@@ -32,7 +32,9 @@ geometry::Viewport FilmWriter::size_of(const FilmEntry& entry) const {
 std::pair<int, int> FilmWriter::frames_of(FilmRange range) const {
   const Playback& playback = with_.playback;
   const auto& keys = with_.editing.document().timeline->keys;
-  const double end_s = range == FilmRange::keys ? (keys.empty() ? 0 : keys.back().time_s) : playback.last_s();
+  const double others_s = with_.cast.several() ? with_.cast.last_key_s() : 0;
+  const double keys_s = std::max(others_s, keys.empty() ? 0 : keys.back().time_s);
+  const double end_s = range == FilmRange::keys ? keys_s : playback.last_s();
   if (range != FilmRange::loop) return {0, frame_at(end_s, playback.rate())};
   const LoopRange& loop = playback.loop();
   return {frame_at(loop.begin_s(), playback.rate()), frame_at(loop.end_s(end_s), playback.rate())};
@@ -65,6 +67,10 @@ bool FilmWriter::write(const std::string& path, const FilmEntry& entry) {
   order.light = with_.preferences.settings().light;
   order.sound = with_.sound.sound();
   order.sound_offset_s = with_.sound.document_offset_s();
+  if (with_.cast.several()) {
+    order.characters = with_.cast.described();
+    order.documents = with_.cast.documents();
+  }
   auto job = FilmJob::start(with_.editing.document(), order);
   if (!job) {
     with_.notices.tell(job.error().line(path), true);

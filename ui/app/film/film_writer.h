@@ -30,6 +30,7 @@ class FilmWriter {
     const SoundTrack& sound;
     const Files& files;
     const Preferences& preferences;
+    const Cast& cast;
   };
   explicit FilmWriter(const With& with) : with_(with) {}
 

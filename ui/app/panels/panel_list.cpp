@@ -30,6 +30,7 @@ void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, Reading
 void show_canvas_chips(PanelContext&, const Area&, EditingSession&, Playback&, Performer&, ToolInHand&, Controls&,
                        Restriction&);
 void show_film(PanelContext&, const Area&, Canvas&, FilmWriter&);
+void show_cast(PanelContext&, const Area&, Canvas&, Cast&, ToolInHand&, PanelState&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_tour_ghost(PanelContext&, const Area&, Canvas&, TourGuide&, Dialogs&);
@@ -76,6 +77,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_overlap>},
     PanelRow{PanelPlace::canvas, show<show_readings>},
     PanelRow{PanelPlace::canvas, show<show_film>},
+    PanelRow{PanelPlace::canvas, show<show_cast>},
     PanelRow{PanelPlace::canvas, show<show_notices>},
     PanelRow{PanelPlace::window, show<show_radial_menu>},
     PanelRow{PanelPlace::window, [](PanelContext& context, const Area&, App& app) { show_dialog(context, app); }},

@@ -22,11 +22,14 @@ constexpr int k_most_tools_across = 3;
 constexpr std::array k_below_tools{Action::clear_curves, Action::reset_pose, Action::suggest_rest, Action{"pressure"},
                                    Action{"hand"}};
 
+/// Those that place characters stand beside their names.
+bool stands_here(const WindowTool& tool) { return !tool.button.label.empty() && !tool.places; }
+
 /// How many buttons stand in each group.
 std::vector<int> tool_groups() {
   std::vector<int> groups{0};
   for (const WindowTool& one : window_tools()) {
-    if (one.button.label.empty()) continue;
+    if (!stands_here(one)) continue;
     if (one.stands_apart) groups.push_back(0);
     ++groups.back();
   }
@@ -50,7 +53,7 @@ float words_width(const PanelContext& context) {
     widest = std::max(widest, button_width(context, std::string(label).c_str(), icon_of(action), true));
   };
   for (const WindowTool& one : window_tools()) {
-    if (!one.button.label.empty()) add(one.button.label, {one.button.action});
+    if (stands_here(one)) add(one.button.label, {one.button.action});
   }
   for (const Action action : k_below_tools) add(info(action).label, action);
   for (const double unsteadiness : {0.5, 1.0, 2.0}) add(steadiness_words(unsteadiness), Action{"hand"});
@@ -86,7 +89,7 @@ void show_tools(PanelContext& context, const ToolbarLayout& layout, EditingSessi
                 const ToolInHand& tool) {
   ToolGrid grid(context, layout);
   for (const WindowTool& one : window_tools()) {
-    if (one.button.label.empty()) continue;
+    if (!stands_here(one)) continue;
     if (one.stands_apart) grid.begin_group();
     const bool in_hand = &one == &tool.now();
     tool_button(context, {one.button.action}, grid.next(), layout.words, in_hand,

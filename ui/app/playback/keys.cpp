@@ -196,11 +196,14 @@ bool Keys::at_cursor() const {
 
 void Keys::copy() {
   clipboard_ = copied_pose(editing_.document(), playback_.time_s());
+  carried_.emplace(editing_);
   notices_.tell("the pose is copied: Paste keys it at another moment");
 }
 
 void Keys::paste() {
   if (!clipboard_) return notices_.tell("there is no pose to paste: copy one first");
+  if (carried_ && !carried_->fits(editing_.document()))
+    return carried_->paste(editing_, notices_, clipboard_->name, playback_.time_s());
   paste_pose(editing_, *clipboard_, playback_.time_s());
 }
 

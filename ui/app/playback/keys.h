@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/app/cast/carried_pose.h"
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/playback/pose_clipboard.h"
@@ -82,6 +83,7 @@ class Keys {
   Notices& notices_;
   Playback& playback_;
   std::optional<PoseClipboard> clipboard_;
+  std::optional<CarriedPose> carried_;  ///< the same for another rig
   KeySelection selected_;
   std::optional<double> landed_s_;  ///< what was keyed last
   std::int64_t landed_us_ = 0;      ///< and when

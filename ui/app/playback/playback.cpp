@@ -29,6 +29,14 @@ void Playback::begin() {
   loop_ = {};
 }
 
+void Playback::take_over() {
+  scrubs_ = false;
+  carries_ = true;
+  const document::Document& document = editing_.document();
+  const bool elsewhere = std::abs(document.time_s - time_s_) > k_same_time_s;
+  if (!playing_ && elsewhere && !document.timeline->keys.empty()) go_to(time_s_);
+}
+
 void Playback::play_or_stop() {
   if (last_s() <= 0 && editing_.document().timeline->keys.empty()) {
     notices_.tell("there is nothing to play yet: key a pose first");
@@ -173,7 +181,8 @@ void Playback::advance(std::int64_t now_us) {
 double Playback::last_s() const {
   const auto& keys = editing_.document().timeline->keys;
   const auto& camera = editing_.document().camera;
-  return std::max({sound_end_s_, keys.empty() ? 0.0 : keys.back().time_s, camera ? camera->keys.back().time_s : 0.0});
+  return std::max({sound_end_s_, others_end_s_, keys.empty() ? 0.0 : keys.back().time_s,
+                   camera ? camera->keys.back().time_s : 0.0});
 }
 
 void Playback::hear(double time_s, std::int64_t now_us) {

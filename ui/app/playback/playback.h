@@ -48,10 +48,12 @@ class Playback {
   void play_or_stop();
   /// Stops on the nearest frame, and takes its pose.
   void stop();
-  /// The moment at which the timeline ends: that of its last key, of the face or of the
-  /// camera, or the end of the sound beside it.
+  /// The moment at which the timeline ends: that of its last key, of any character or of the camera, or the end of the
+  /// sound beside it.
   [[nodiscard]] double last_s() const;
   void sounds_until(double time_s) { sound_end_s_ = time_s; }
+  /// When the last key of other characters is.
+  void others_end(double time_s) { others_end_s_ = time_s; }
   /// What is heard now is of this moment: the cursor goes along with it, without a jump where it is less than half a
   /// frame away.
   void hear(double time_s, std::int64_t now_us);
@@ -80,6 +82,8 @@ class Playback {
 
   /// Another document was opened.
   void begin();
+  /// Another character is worked on, at the moment that is shown.
+  void take_over();
 
  private:
   void follow_time(double was_s);
@@ -103,6 +107,7 @@ class Playback {
   bool scrubs_ = false;  ///< the timeline's pose is shown, and not taken yet
   bool carries_ = true;
   double sound_end_s_ = 0;
+  double others_end_s_ = 0;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;
 };

@@ -68,6 +68,26 @@ void EditingSession::open(document::Document document, replay::SessionWriter* wr
   saved_revision_ = ++revision_;
 }
 
+SessionAside EditingSession::set_aside() {
+  SessionAside aside{std::move(live_), steps_.take_joined(), moments_, began_us_, unsaved()};
+  forget();
+  return aside;
+}
+
+void EditingSession::take_up(SessionAside aside) {
+  forget();
+  live_ = std::move(aside.live);
+  steps_.give_joined(std::move(aside.joined));
+  moments_ = std::move(aside.moments);
+  began_us_ = aside.began_us;
+  saved_revision_ = ++revision_;
+  if (aside.unsaved) ++revision_;
+}
+
+base::Status EditingSession::act_aside(SessionAside& aside, const replay::SessionLine& line) {
+  return aside.live->act(line, clock_() - aside.began_us);
+}
+
 bool EditingSession::act(const replay::SessionLine& line) {
   const document::Document before = document();
   const std::size_t count = editor().history().undo_count();

@@ -24,6 +24,17 @@ struct Habits {
   std::optional<std::pair<double, std::string>> keys;  ///< the pose is keyed at a moment, under a name
 };
 
+/// A document with its session and its steps while another one is worked on.
+struct SessionAside {
+  std::unique_ptr<replay::LiveSession> live;
+  JoinedCommands joined;
+  CurveMoments moments;
+  std::int64_t began_us = 0;  ///< of the clock
+  bool unsaved = false;
+
+  [[nodiscard]] const document::Document& document() const { return live->session().editor().document(); }
+};
+
 /// The document being worked on, and the session that records how. Knows neither window nor panels.
 class EditingSession {
  public:
@@ -39,6 +50,14 @@ class EditingSession {
   /// Goes on with a session that was read from what `writer` adds to, and that ended at `last_us`. It counts as
   /// unsaved.
   void resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us);
+
+  /// Gives what is worked on away, whole. Afterwards nothing may be asked before `open`, `resume` or `take_up`.
+  /// Precondition: no pen is drawing.
+  [[nodiscard]] SessionAside set_aside();
+  /// Goes on with what was set aside.
+  void take_up(SessionAside aside);
+  /// Does something to what was set aside, as `act` does.
+  base::Status act_aside(SessionAside& aside, const replay::SessionLine& line);
 
   [[nodiscard]] const drawing::Editor& editor() const { return live_->session().editor(); }
   [[nodiscard]] const document::Document& document() const { return editor().document(); }

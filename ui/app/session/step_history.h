@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "ui/app/session/step_list.h"
@@ -27,6 +28,9 @@ class StepHistory {
   /// A command was performed as number `command`; `joined`: as a part of the one before it.
   void performed(std::size_t command, bool joined) { joined_.performed(command, joined); }
   void forget() { joined_.clear(); }
+  /// Which commands belong together, while another document is worked on, and afterwards.
+  [[nodiscard]] JoinedCommands take_joined() { return std::exchange(joined_, {}); }
+  void give_joined(JoinedCommands joined) { joined_ = std::move(joined); }
 
  private:
   EditingSession& editing_;

@@ -91,6 +91,7 @@ struct WindowTool {
   bool selects = false;       ///< curves, targets and controls can be taken in hand
   bool pulls = false;         ///< what is under the pen is pulled, and what the face does is recorded
   bool performs = false;      ///< it goes on with Perform; taking any other tool ends that
+  bool places = false;        ///< characters can be moved in the scene
 
   /// The tool is taken in hand.
   void (*taken)(ToolHand& hand) = nullptr;

@@ -20,12 +20,13 @@ WindowTool arc_tool();
 WindowTool ghost_tool();
 WindowTool feature_tool();
 WindowTool perform_tool();
+WindowTool place_tool();
 
 std::span<const WindowTool> window_tools() {
   static const std::array all{
       draw_tool(),    pose_tool(),   oversketch_tool(), constraint_tool(), pin_tool(),
       erase_tool(),   select_tool(), articulate_tool(), arc_tool(),        ghost_tool(),
-      feature_tool(), redraw_tool(), between_tool(),    perform_tool(),
+      feature_tool(), place_tool(),  redraw_tool(),     between_tool(),    perform_tool(),
   };
   return all;
 }

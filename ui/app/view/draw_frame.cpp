@@ -17,14 +17,17 @@ constexpr float k_faint_weight = 0.25F;
 
 void FrameMaker::update_surface() {
   const PosedSurface& surface = parts_.canvas.surface();
-  if (last_.shape_number != surface.shape_number()) {
-    last_.shape_number = surface.shape_number();
+  // Another character has another surface, whose numbers may be the same.
+  const std::pair shape(surface.model().mesh.get(), surface.shape_number());
+  if (std::exchange(shape_, shape) != shape) {
+    ++last_.shape_number;
     last_.appearance = std::make_shared<const render::Appearance>(surface.appearance());
   }
   // Not the document's: a panel may have opened another one since.
   last_.model = surface.shared_model();
-  if (last_.pose_number == surface.pose_number()) return;
-  last_.pose_number = surface.pose_number();
+  const std::pair pose(last_.model.get(), surface.pose_number());
+  if (std::exchange(pose_, pose) == pose) return;
+  ++last_.pose_number;
   const auto positions = surface.positions();
   const auto normals = surface.normals();
   last_.positions = std::make_shared<const std::vector<glm::vec3>>(positions.begin(), positions.end());
@@ -85,7 +88,8 @@ render::Scene scene_of(const DrawFrame& frame) {
   render::Scene scene;
   scene.positions = *frame.positions;
   scene.normals = *frame.normals;
-  scene.triangles = frame.model->mesh->triangles();
+  scene.triangles =
+      frame.triangles ? std::span<const mesh::Triangle>(*frame.triangles) : frame.model->mesh->triangles();
   scene.appearance = frame.appearance.get();
   if (frame.overlay) scene.overlay = *frame.overlay;
   scene.curves = frame.curves;
@@ -110,6 +114,12 @@ DrawFrame FrameMaker::make() {
   last_.matcap = parts_.look.matcap;
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};
   DrawFrame frame = last_;
+  if (parts_.cast.several()) {
+    const render::Color ground = render::mix(last_.background.top, last_.background.bottom, 0.5F);
+    cast_.put_into(frame, parts_.cast, parts_.canvas.surface(), last_.overlay, ground);
+  } else {
+    cast_.forget();
+  }
   frame.curves = parts_.drawing.curves;
   frame.veil = parts_.drawing.veil;
   frame.behind =

@@ -3,8 +3,10 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "ui/app/cast/cast_frame.h"
 #include "ui/app/controls/controls.h"
 #include "ui/render/behind.h"
 #include "ui/render/scene.h"
@@ -15,6 +17,7 @@ namespace penpose::app {
 /// drawn while the app goes on.
 struct DrawFrame {
   std::shared_ptr<const document::Model> model;
+  std::shared_ptr<const std::vector<mesh::Triangle>> triangles;  ///< null: those of the model
   std::shared_ptr<const std::vector<glm::vec3>> positions;
   std::shared_ptr<const std::vector<glm::vec3>> normals;
   std::shared_ptr<const render::Appearance> appearance;
@@ -45,6 +48,7 @@ class FrameMaker {
     const CanvasDrawing& drawing;
     const Controls& controls;
     const Preferences& preferences;
+    const Cast& cast;
   };
   explicit FrameMaker(const Parts& parts) : parts_(parts) {}
 
@@ -56,6 +60,9 @@ class FrameMaker {
 
   Parts parts_;
   DrawFrame last_;
+  CastFrame cast_;
+  std::pair<const mesh::TriangleMesh*, std::uint64_t> shape_;  ///< of the surface, as last_ has it
+  std::pair<const document::Model*, std::uint64_t> pose_;      ///< likewise
   std::uint64_t weights_revision_ = 0;
   std::shared_ptr<const document::Model> overlay_model_;
   std::string overlay_deformer_;

@@ -286,7 +286,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   UndrawnTextures& undrawn_textures = app.of<UndrawnTextures>();
   const Player& player = app.of<Player>();
   Leaving& leaving = app.of<Leaving>();
-  FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), preferences});
+  FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), preferences, app.of<Cast>()});
   interface.share_clipboard({copied_text, [](const char* text) { SDL_SetClipboardText(text); }});
   SDL_StartTextInput();
   unsigned looks = 0;  // at the system's devices
@@ -380,7 +380,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       timings.posed_us.push_back(timings.frames_us.back());
     }
     const std::string name = files.project().empty() ? files.path() : files.project();
-    const std::string now_title = (editing.unsaved() ? "* " : "") + name + " - penpose";
+    const std::string now_title = (files.unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
     if (until_played && player.trace && player.trace->finished()) leaving.quit();
   }

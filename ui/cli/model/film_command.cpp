@@ -204,6 +204,34 @@ base::Status check_outputs(const film::FilmPlan& plan, const files::FileRoles& f
   return base::Done{};
 }
 
+/// What is filmed: of a project of several characters the one that was worked on, with those that are shown beside it.
+struct Filmed {
+  document::Document document;
+  std::vector<film::Beside> others;
+};
+
+base::Result<Filmed> filmed(const FilmOptions& options) {
+  auto loaded = options.orientation.is_usual() ? files::load_cast(options.model)
+                                               : base::Result<std::optional<files::LoadedCast>>(std::nullopt);
+  if (!loaded) return loaded.error();
+  if (!*loaded) {
+    auto document = files::load_document(options.model, files::NamedBy::user, options.orientation);
+    if (!document) return document.error();
+    return Filmed{std::move(*document), {}};
+  }
+  files::LoadedCast& cast = **loaded;
+  const std::size_t active = cast.cast.active;
+  Filmed all;
+  for (std::size_t i = 0; i < cast.documents.size(); ++i) {
+    const io::CastMember& member = cast.cast.members[i];
+    if (i == active || !member.shown) continue;
+    const auto there = joined(member.placement, inverse(cast.cast.members[active].placement));
+    all.others.push_back({cast.documents[i], there, render::make_appearance(*cast.documents[i].model)});
+  }
+  all.document = std::move(cast.documents[active]);
+  return all;
+}
+
 int run_film(const FilmOptions& options) {
   files::FileRoles files(options.progress ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.picture.camera, options.sound}) files.reads(input);
@@ -215,11 +243,11 @@ int run_film(const FilmOptions& options) {
   if (!part) return files::report(part.error());
   auto renderer = render::make_offscreen_renderer(render::way_of(options.draw));
   if (!renderer) return files::report(renderer.error());
-  auto document = files::load_document(options.model, files::NamedBy::user, options.orientation);
-  if (!document) return files::report(document.error(), options.model);
-  const auto sound = sound_of(options, *document);
+  auto all = filmed(options);
+  if (!all) return files::report(all.error(), options.model);
+  const auto sound = sound_of(options, all->document);
   if (!sound) return files::report(sound.error(), options.sound);
-  const auto frames = film::FilmFrames::make(std::move(document).value(), options.fps);
+  const auto frames = film::FilmFrames::make(std::move(all->document), options.fps, std::move(all->others));
   if (!frames) return files::report(frames.error(), options.model);
   film::FilmPlan plan{*kind, options.output, size_of(options.picture), options.fps, {}, options.numbers};
   if (*part) plan.size = (*part)->size;

@@ -56,7 +56,7 @@ class SlowlyDrawn : public testing::Test {
   Desk desk_;
   App& app_ = *desk_.app;
   FrameMaker frames_{{app_.of<EditingSession>(), app_.of<Canvas>(), app_.of<CanvasLook>(), app_.of<CanvasDrawing>(),
-                      app_.of<Controls>(), app_.of<Preferences>()}};
+                      app_.of<Controls>(), app_.of<Preferences>(), app_.of<Cast>()}};
   LastPicture output_;
   std::unique_ptr<Presenter> presenter_;
   std::int64_t now_us_ = 0;
