@@ -35,12 +35,12 @@ std::vector<MenuSection> placed() {
         {A::frame_face, A::frame_all, A::zoom_in, {"zoom_out"}, {"orbit_left"}, {"orbit_right"}, {"orbit_up"},
          {"orbit_down"}},
         {{"cameras"}, {"look_through"}},
-        {A::wireframe, {"textured"}, A::clay, {"matcap"}, {"soft_shadows"}, A::backdrop, A::backdrop_off},
+        {{"textured"}, A::clay, {"matcap"}, A::wireframe, {"soft_shadows"}, A::backdrop, A::backdrop_off},
         {A::panels, A::fullscreen, A::theme, A::larger, A::smaller, A::density}}},
       {"Character", "C12 8 4M4 21L5 16L9 14L15 14L19 16L20 21",
        {{A::tool_articulate}, {A::reset_pose, A::flip_pose, A::copy_to_right, A::copy_to_left, A::neutral},
         {{"only_these"}, {"not_these"}, {"only_brows"}, {"only_eyes"}, {"only_mouth"}, {"all_controls"}},
-        {{"new_to_rest"}, {"new_stays"}}, {A::library, {"mouths"}, A::moved_only},
+        {{"new_to_rest"}, {"new_stays"}}, {A::library, {"mouths"}, A::moved_only, {"model_notes"}},
         {{"add_character"}, {"next_character"}, {"previous_character"}, {"characters"}, {"frame_characters"},
          {"other_characters"}, {"tool_place"}, {"stand_beside"}, {"remove_character"}, {"bring_back_character"}}}},
       {k_animation, "M3 5L21 5L21 19L3 19Z M10 8L16 12L10 16F",
@@ -48,6 +48,7 @@ std::vector<MenuSection> placed() {
         {A::key_pose, A::delete_key, A::auto_key, A::copy_key, A::paste_key, {"paste_mirrored"}, {"mirror_keys"}},
         {A::perform, {"perform_again"}, {"review_take"}, {"keep_take"}},
         {{"key_camera"}, {"delete_camera_key"}, {"camera_cut"}},
+        {{"bookmark"}, {"previous_bookmark"}, {"next_bookmark"}, {"play_speed"}},
         {{"breakdown"}, {"favour_before"}, {"favour_after"}, {"overshoot"}},
         {{"kind_smooth"}, {"kind_linear"}, {"kind_stepped"}, {"kind_ease_in"}, {"kind_ease_out"}, {"kind_ease"},
          {"kind_free"}, {"kind_overshoot"}},
@@ -57,7 +58,7 @@ std::vector<MenuSection> placed() {
       {"Tablet", "M3 6L21 6L21 18L3 18Z M8 14L16 9",
        {{{"tablet"}, {"tablet_keys"}, {"pen_menu"}, {"screen_keyboard"}}}},
       {"Help", "C12 12 9A12 10 3 180 400M13.5 13L12 14.5M12 17.5L12 18",
-       {{A::help, A::shortcuts, {"model_notes"}}, {A::tour_pose, A::tour_rig, A::tour_animate}}},
+       {{A::help, A::shortcuts}, {A::tour_pose, A::tour_rig, A::tour_animate}}},
   };
 }
 // clang-format on

@@ -260,7 +260,7 @@ void show_curve_editor(PanelContext& context, const TimelineOwners& with, float 
   const auto held = with.editing.document().model;
   choose_first(with, held->rig->parameters());
   const ImVec2 corner = ImGui::GetCursorPos();
-  show_row_names(context, with, rows_of(with), 0.75F * context.unit, height);
+  show_row_names(context, with, rows_of(with), 0.92F * context.unit, height);
   ImGui::SetCursorPos(corner);
   Graph graph{begin_strip(context, with, "curves",
                           "Drag keys, or the handles of a selected one; with Ctrl one handle alone. Touch a control's "

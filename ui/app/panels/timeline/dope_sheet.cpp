@@ -183,7 +183,7 @@ void draw_rows(PanelContext& context, const TimelineOwners& with, const Sheet& s
 void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float height) {
   Sheet sheet;
   sheet.rows = rows_of(with);
-  sheet.row_height = 0.75F * context.unit;
+  sheet.row_height = 0.92F * context.unit;
   const float most = std::max(0.0F, static_cast<float>(sheet.rows.size()) * sheet.row_height - height);
   with.shown().scrolled = std::clamp(with.shown().scrolled, 0.0F, most);
   const ImVec2 corner = ImGui::GetCursorPos();
