@@ -21,7 +21,7 @@ std::string variable(const char* name) {
 /// The value of a line XDG_VIDEOS_DIR="$HOME/Videos"; empty: there is none.
 std::string named_videos(std::string_view text, const std::string& home) {
   constexpr std::string_view k_name = "XDG_VIDEOS_DIR=\"";
-  constexpr std::string_view k_home = "$HOME";
+  constexpr std::string_view k_home_word = "$HOME";
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = base::trim(text.substr(0, end));
@@ -30,7 +30,7 @@ std::string named_videos(std::string_view text, const std::string& home) {
     line.remove_prefix(k_name.size());
     line.remove_suffix(1);
     if (line.starts_with('/')) return std::string(line);
-    if (line.starts_with(k_home)) return home + std::string(line.substr(k_home.size()));
+    if (line.starts_with(k_home_word)) return home + std::string(line.substr(k_home_word.size()));
   }
   return {};
 }
