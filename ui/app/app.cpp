@@ -118,6 +118,7 @@ void App::show_anew() {
   mouths_.forget();
   canvas_.begin();
   cameras_.begin();
+  references_.cancel();
   undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
 }

@@ -7,6 +7,8 @@
 namespace penpose::document {
 namespace {
 
+using tests::DocumentHand;
+
 TEST(CameraCommands, KeysAreInOrderAndReplaceEachOther) {
   DocumentHand hand;
   View near = hand.view;

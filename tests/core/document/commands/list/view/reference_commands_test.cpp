@@ -7,6 +7,8 @@
 namespace penpose::document {
 namespace {
 
+using tests::DocumentHand;
+
 TEST(ReferenceCommands, OneIsPlacedReplacedAndTakenAway) {
   DocumentHand hand;
   ReferencePicture picture;
