@@ -27,6 +27,8 @@ constexpr double k_tip_s = 0.55;
 constexpr float k_still_px = 3;
 /// So much of a window's width and height is the canvas at least, and so many targets, as far as there is room.
 constexpr double k_least_canvas = 0.35, k_least_targets_across = 7, k_least_targets_down = 4.5;
+/// And so much of its width where the panel at the side is a rail; else there is no rail.
+constexpr double k_canvas_beside_rail = 0.72;
 /// So far, in targets, a press may tremble before it is a drag.
 constexpr double k_drag_slack = 0.25;
 constexpr int k_settle_frames = 3;
@@ -263,7 +265,7 @@ void Interface::show_all(PanelContext& context) {
   // Closed it is a rail, where that leaves room for the canvas.
   if (!panels_.side_open()) {
     const double rail = unit + 2 * gap;
-    const bool fits = width - left - rail >= std::max(k_least_canvas * width, k_least_targets_across * unit);
+    const bool fits = width - left - rail >= std::max(k_canvas_beside_rail * width, k_least_targets_across * unit);
     right = fits ? rail : 0;
   }
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };

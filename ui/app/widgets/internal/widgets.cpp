@@ -217,7 +217,7 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
   const bool pressed = quiet_icon(context, label, {}, tip, locked);
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
-  const ImU32 ink = locked ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const ImU32 ink = ImGui::GetColorU32(locked ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   draw_padlock(*ImGui::GetWindowDrawList(), {0.5F * (least.x + most.x), 0.5F * (least.y + most.y)}, context.unit,
                locked, ink);
   return pressed;
