@@ -157,7 +157,7 @@ base::Result<Image> decode_png_rows(std::span<const std::uint8_t> bytes, std::ui
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
   if (info == nullptr) {
     png_destroy_read_struct(&png, nullptr, nullptr);
-    return wrong("the memory does not suffice for the picture");
+    return wrong("there is not enough memory for the picture");
   }
   png_set_read_fn(png, &from, &take_bytes);
   png_set_user_limits(png, 65535, 65535);

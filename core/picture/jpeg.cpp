@@ -81,7 +81,7 @@ base::Result<Image> decode_jpeg(std::span<const std::uint8_t> bytes, int most_px
   failure.manager.error_exit = &fail;
   failure.manager.emit_message = &trace_nothing;
   failure.manager.output_message = &say_nothing;
-  if (setjmp(failure.back) != 0) return base::Error{"the memory does not suffice for the picture", "", ""};
+  if (setjmp(failure.back) != 0) return base::Error{"there is not enough memory for the picture", "", ""};
   jpeg_create_decompress(&reader);
   jpeg_progress_mgr progress{};
   progress.progress_monitor = &count_scans;

@@ -27,7 +27,7 @@ void next_hand(EditingSession& editing) {
 
 // clang-format off
 constinit const std::array k_hand_actions{
-    ActionInfo{{"pressure"}, "Pressure", {}, {}, "A target pulls harder where the pen pressed harder",
+    ActionInfo{{"pressure"}, "Pressure", {}, {}, "Press harder to pull a target harder",
      "M4 20L9 20L13 18L16 14L18 8L19 4M4 16L8 16M4 12L10 12",
      does([](EditingSession& editing) {
        editing.perform(document::SetPressureWeighting{!editing.document().pressure_weighting});
@@ -35,16 +35,16 @@ constinit const std::array k_hand_actions{
     ActionInfo{{"hand"}, "Steadiness", {}, {},
      "How steady the hand is: what a line strays by is not taken for a wish. Press for the next of three",
      "M3 9L7 6L11 9L15 6L21 9M3 16L9 16L21 16", does<next_hand>},
-    ActionInfo{{"sessions"}, "Sessions", {}, {}, "What was drawn before, to play or to go on with",
+    ActionInfo{{"sessions"}, "Sessions", {}, {}, "Earlier sessions, to play or continue",
      "C12 12 8D12 12 3", does([](Dialogs& dialogs) { dialogs.show(Dialog::sessions); })},
-    ActionInfo{{"tablet"}, "Tablet", {}, {}, "The area and the pressure of the tablet", "M3 6L21 6L21 18L3 18Z M8 14L16 9",
+    ActionInfo{{"tablet"}, "Tablet", {}, {}, "Tablet area and pressure", "M3 6L21 6L21 18L3 18Z M8 14L16 9",
      does([](Dialogs& dialogs) { dialogs.show(Dialog::tablet); })},
-    ActionInfo{{"tablet_keys"}, "Tablet keys", {}, {}, "What the keys and rings of the tablet and the pen's buttons do",
+    ActionInfo{{"tablet_keys"}, "Tablet keys", {}, {}, "What tablet keys, rings and pen buttons do",
      "M4 5L20 5L20 19L4 19Z M8 9L8 11M12 9L12 11M16 9L16 11M8 15L16 15",
      does([](Dialogs& dialogs) { dialogs.show(Dialog::pad); })},
-    ActionInfo{{"pen_menu"}, "Pen menu", {}, {}, "What the menu around the pen offers", "C12 12 8C12 12 2.5",
+    ActionInfo{{"pen_menu"}, "Pen menu", {}, {}, "Choose the entries of the pen menu", "C12 12 8C12 12 2.5",
      does([](Dialogs& dialogs) { dialogs.show(Dialog::radial); })},
-    ActionInfo{{"screen_keyboard"}, "Screen keyboard", {}, {}, "Show keys on the screen while a name is typed",
+    ActionInfo{{"screen_keyboard"}, "Screen keyboard", {}, {}, "Show a keyboard on screen while you type",
      "M3 8L21 8L21 20L3 20Z M7 12L7 12.5M12 12L12 12.5M17 12L17 12.5M8 16.5L16 16.5M12 2L12 5M9 4L12 2L15 4",
      does([](PanelState& panels) { panels.has_keyboard = false; }),
      does([](const PanelState& panels) { return panels.has_keyboard; })},

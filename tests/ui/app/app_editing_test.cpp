@@ -225,7 +225,7 @@ TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
     std::filesystem::copy_file(desk.app->of<Recording>().path(), desk.path("recorded.session"));
   }
   Desk desk("played", "builtin:demo", false);
-  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start anew");
+  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start fresh");
   desk.app->of<Pointer>().resized({900, 1000}, 96);
   desk.frames();
   ASSERT_TRUE(desk.app->of<Files>().play_trace(desk.path("recorded.session")).ok());

@@ -87,7 +87,7 @@ void Controls::choose_for_new(articulation::Mode mode, const articulation::Surfa
   new_surface_ = of_region ? articulation::Surface() : surface;
   const auto pending = editing_.document().pending;
   if (pending && !pending->drivers.empty() && !(pending->sketch.mode == mode)) {
-    notices_.tell("how it moves is chosen before a correction is begun: give it up and begin it anew");
+    notices_.tell("a correction keeps the motion it began with: cancel it and start again");
     return;
   }
   if (!pending || (pending->sketch.mode == mode && pending->sketch.surface == surface)) return;

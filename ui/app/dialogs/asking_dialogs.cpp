@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 void show_recover_dialog(PanelContext& context, Recovery& recovery) {
   if (begin_dialog(context, "There is work that was not saved", 13)) {
     const std::string name = recovery.abandoned().empty() ? "" : fs::path(recovery.abandoned().front()).stem().string();
-    ImGui::TextWrapped("What was drawn in the session %s is kept, to the last stroke.", name.c_str());
+    ImGui::TextWrapped("The session %s is safe, to the last stroke.", name.c_str());
     if (primary_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
       recovery.recover(true);
     } else {
       ImGui::SameLine();
-      if (wide_button(context, "Start anew", 5 * context.unit, false, "The session stays in the list of sessions"))
+      if (wide_button(context, "Start fresh", 5 * context.unit, false, "The session stays in the list of sessions"))
         recovery.recover(false);
     }
   }
@@ -52,7 +52,7 @@ void show_steps_dialog(PanelContext& context) {
         "opens "
         "a menu around the pen.");
     ImGui::PopStyleColor();
-    ImGui::TextWrapped("Or be shown, and do each step with your own hand:");
+    ImGui::TextWrapped("Or take a tour, step by step:");
     show_tour_buttons(context);
     if (primary_button(context, "Begin", -1) || context.accepts) context.actions.run(Action::cancel);
   }
@@ -63,7 +63,7 @@ void show_sessions_dialog(PanelContext& context, Files& files, Recording& record
                           Dialogs& dialogs) {
   if (begin_dialog(context, "Sessions", 17)) {
     const std::string now = recording.path();
-    ImGui::TextWrapped("Everything that is drawn is recorded. This session: %s",
+    ImGui::TextWrapped("Every stroke is saved as you draw. This session: %s",
                        now.empty() ? "not recorded" : now.c_str());
     begin_list(context, "sessions", {0, 8 * context.unit}, true);
     for (const std::string& path : recording.past()) {
@@ -87,7 +87,7 @@ void show_sessions_dialog(PanelContext& context, Files& files, Recording& record
 
 void show_unsaved_dialog(PanelContext& context, Leaving& leaving, Dialogs& dialogs) {
   if (begin_dialog(context, "There is unsaved work", 13)) {
-    ImGui::TextWrapped("It is kept in the list of sessions in any case.");
+    ImGui::TextWrapped("The session list keeps it in any case.");
     if (primary_button(context, "Save first") || context.accepts) leaving.save_first();
     ImGui::SameLine();
     const char* without =

@@ -87,7 +87,7 @@ void show_list(PanelContext& context, const document::Document& document, float 
     const std::string name = document::clip_name({animation.name, i});
     const std::string label = name + "##animation" + std::to_string(i);
     if (row(context, label, "of the file, " + seconds(document::duration_s(animation)), false,
-            "Open its keys; what is not changed is written as it was"))
+            "Open its keys for editing; untouched parts are saved unchanged"))
       does = document::OpenClip{static_cast<std::uint32_t>(i)};
   }
   ImGui::EndChild();
@@ -108,11 +108,11 @@ void show_changes(PanelContext& context, const document::Document& document, con
   text_field(context, "##clip name", name, 2 * third + gap, "its name");
   ImGui::SameLine();
   const bool named = !name.empty() && name != shown;
-  if (button("Rename##clip", third, named, "Call the shown clip so") || (named && context.accepts))
+  if (button("Rename##clip", third, named, "Rename the shown clip") || (named && context.accepts))
     does = document::NameClip{{name}};
   if (button("New##clip", third, true, "An empty clip")) does = document::AddClip{fresh_name(document, "clip"), false};
   ImGui::SameLine();
-  if (button("Double##clip", third, true, "One more with the keys of the shown clip"))
+  if (button("Double##clip", third, true, "Duplicate the shown clip"))
     does = document::AddClip{fresh_name(document, shown), true};
   ImGui::SameLine();
   if (button("Delete##clip", third, document.clips.size() > 1, "Delete the shown clip, also from the file when saved"))

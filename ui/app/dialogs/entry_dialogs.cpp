@@ -165,7 +165,7 @@ void show_radial_dialog(PanelContext& context, Preferences& preferences, Dialogs
       }
     }
     ImGui::EndChild();
-    if (wide_button(context, "As it was##radial menu")) {
+    if (wide_button(context, "Reset##radial menu")) {
       radial = Settings().radial;
       preferences.changed();
     }

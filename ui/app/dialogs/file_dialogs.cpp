@@ -105,7 +105,7 @@ void show_backdrop_dialog(PanelContext& context, ReferenceDesk& references, File
 void show_sound_dialog(PanelContext& context, EditingSession& editing, SoundTrack& track, Files& files,
                        Preferences& preferences, Dialogs& dialogs) {
   const FileDialogsOwners with{files, preferences, dialogs};
-  if (begin_dialog(context, "A sound beside the timeline", k_file_dialog_wide)) {
+  if (begin_dialog(context, "Sound on the timeline", k_file_dialog_wide)) {
     ImGui::TextDisabled("WAV, FLAC or OGG");
     // Also one whose file is gone.
     const bool has = editing.document().sound != nullptr;

@@ -116,7 +116,7 @@ void choose_frames(PanelContext& context, FilmEntry& entry) {
   ImGui::SameLine();
   double every = entry.every.value_or(1);
   bool released = false;
-  const std::string name = entry.every ? "every so many frames" : "or every so many";
+  const std::string name = entry.every ? "every n frames" : "or every n frames";
   if (tall_slider(context, "##every", every, 1, k_most_between, ImGui::GetContentRegionAvail().x, name, released)) {
     entry.every = static_cast<int>(std::lround(every));
   }

@@ -154,7 +154,7 @@ void show_history_dialog(PanelContext& context, EditingSession& editing, Playbac
     begin_list(context, "steps", {0, list_height(context)}, true);
     std::optional<std::size_t> to;
     const bool nothing = steps.empty() || steps.front().undone;
-    if (row(context, "As it was opened##step 0", app::icon_of(Action::open), {}, nothing)) to = 0;
+    if (row(context, "Opened##step 0", app::icon_of(Action::open), {}, nothing)) to = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const bool now = !steps[i].undone && (i + 1 == steps.size() || steps[i + 1].undone);
       const std::string label = steps[i].text + "##step " + std::to_string(i + 1);

@@ -122,7 +122,7 @@ bool show_missing(PanelContext& context, const PassOwners& with) {
   }
   if (with.entry.way != Way::cues && with.track.sound() == nullptr) {
     const auto sound = with.editing.document().sound;
-    ImGui::TextWrapped("%s", sound == nullptr ? "There is no sound beside the timeline yet."
+    ImGui::TextWrapped("%s", sound == nullptr ? "The timeline has no sound yet."
                                               : ("The file of the sound is gone: " + sound->file).c_str());
     if (wide_button(context, "Open a sound")) {
       with.entry.wants_sound = true;

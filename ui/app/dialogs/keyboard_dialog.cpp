@@ -149,7 +149,7 @@ void show_question(PanelContext& context, const KeyboardDialogOwners& with) {
   if (wide_button(context, "None##key", 0, false, "No key here")) return set(with, {});
   ImGui::SameLine();
   ImGui::BeginDisabled(!keys.changed(*choice.action));
-  if (wide_button(context, "As it was##key", 0, false, "Its own keys again")) {
+  if (wide_button(context, "Reset##key", 0, false, "Its own keys again")) {
     with.dialogs.state<KeyAsked>().waits = false;
     if (has_own_key_of(keys, *choice.action) == nullptr) {
       reset(with, *choice.action);

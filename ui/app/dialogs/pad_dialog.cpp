@@ -170,7 +170,7 @@ void show_pad_dialog(PanelContext& context, EditingSession& editing, HandDesk& d
       begin_list(context, "chosen", {0, height}, false);
       Choices(context, with, *tablet).show();
       ImGui::EndChild();
-      if (wide_button(context, "As it was##pad") && preferences.settings().pads.erase(tablet->key) > 0)
+      if (wide_button(context, "Reset##pad") && preferences.settings().pads.erase(tablet->key) > 0)
         preferences.changed();
       ImGui::SameLine();
     }

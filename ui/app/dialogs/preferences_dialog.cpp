@@ -92,25 +92,25 @@ void show_view(PanelContext& context, const PreferencesDialogOwners& with) {
 
 void show_pen(PanelContext& context, const PreferencesDialogOwners& with) {
   Settings& settings = with.preferences.settings();
-  ImGui::TextUnformatted("Steady line: how much drawn lines are smoothed to the eye");
+  ImGui::TextUnformatted("Steady line: smooth drawn lines on screen");
   const int steady =
       one_of<3>(context, {"Off##steady", "Light##steady", "Strong##steady"}, static_cast<int>(settings.stabiliser));
   if (steady >= 0) {
     settings.stabiliser = static_cast<Stabiliser>(steady);
     with.preferences.changed();
   }
-  leads_to(context, with, "Tablet: area and pressure##preferences", Dialog::tablet, "The area and the pressure");
+  leads_to(context, with, "Tablet: area and pressure##preferences", Dialog::tablet, "Area and pressure");
 }
 
 void show_keys(PanelContext& context, const PreferencesDialogOwners& with) {
   leads_to(context, with, "Keys of the keyboard##preferences", Dialog{"keyboard"},
            "What each key does, and other keys");
   leads_to(context, with, "Keys and rings of the tablet##preferences", Dialog::pad,
-           "What the keys and rings of the tablet and the pen's buttons do");
+           "What tablet keys, rings and pen buttons do");
   leads_to(context, with, "Menu around the pen##preferences", Dialog::radial, "What it offers");
   bool& keyboard = with.panels.has_keyboard;
   if (wide_button(context, "Keys on the screen while a name is typed##preferences", -1, !keyboard,
-                  "For whoever has no keyboard at hand; a real key turns it off"))
+                  "For use without a keyboard; a real key turns it off"))
     keyboard = !keyboard;
 }
 
@@ -143,7 +143,7 @@ void show_pose_folder(PanelContext& context, const PreferencesDialogOwners& with
   const bool fits = std::filesystem::path(typed).is_absolute();
   ImGui::SameLine();
   ImGui::BeginDisabled(!fits);
-  if (wide_button(context, "Use it##pose folder", use, false, "Poses are kept there and read from there")) {
+  if (wide_button(context, "Use it##pose folder", use, false, "Use this folder for the library")) {
     with.shelf.choose_folder(typed);
     typed.clear();
   }
@@ -166,15 +166,15 @@ void show_folders(PanelContext& context, const PreferencesDialogOwners& with) {
       with.preferences.changed();
     }
   }
-  ImGui::TextWrapped("Autosave: every stroke is written down as it is drawn. After a crash the next start goes on.");
+  ImGui::TextWrapped("Autosave: every stroke is saved as you draw. After a crash the next start continues.");
   ImGui::TextWrapped("Session: %s", session.empty() ? "not recorded" : session.c_str());
   ImGui::TextWrapped("Settings: %s", standard_folders().config.c_str());
   show_pose_folder(context, with);
-  leads_to(context, with, "Sessions##preferences", Dialog::sessions, "What was drawn before, to play or to go on with");
+  leads_to(context, with, "Sessions##preferences", Dialog::sessions, "Earlier sessions, to play or continue");
   auto& recent = with.preferences.settings().recent;
   const std::string label = "Forget the list of recent files (" + std::to_string(recent.size()) + ")##recent";
   ImGui::BeginDisabled(recent.empty());
-  if (wide_button(context, label.c_str(), -1, false, "The list alone; the files stay")) {
+  if (wide_button(context, label.c_str(), -1, false, "Clear the list; the files stay")) {
     recent.clear();
     with.preferences.changed();
   }

@@ -47,7 +47,7 @@ void show_pressure(const TabletDialogOwners& with, const replay::TabletSetting& 
 
 /// A place to draw in: the line appears under the pen, as thick as it is pressed.
 void test_area(PanelContext& context, const TabletDialogOwners& with, const replay::TabletSetting& setting) {
-  ImGui::TextDisabled("Draw here to try it; beside it, what pressing means");
+  ImGui::TextDisabled("Draw here to try it; the curve maps pressure");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float height = 4.5F * context.unit;
   const ImVec2 size{ImGui::GetContentRegionAvail().x - height - context.gap, height};
@@ -101,8 +101,8 @@ void show_tablet_dialog(PanelContext& context, HandDesk& desk, Bindings& binding
       }
     };
     flag("Keep the picture's shape", setting.keep_aspect,
-         "Uses only as much of the tablet as has the shape of the window");
-    flag("Left-handed", setting.left_handed, "The tablet lies turned by half a turn");
+         "Use the part of the tablet that has the shape of the window");
+    flag("Left-handed", setting.left_handed, "Turn the tablet by 180 degrees");
     // Four slices of the area and the softness of the pressure, each by sliders alone.
     std::array<double, 4> area{0, 0, 1, 1};
     if (setting.area.size() == 4) std::copy(setting.area.begin(), setting.area.end(), area.begin());
@@ -133,7 +133,7 @@ void show_tablet_dialog(PanelContext& context, HandDesk& desk, Bindings& binding
     ImGui::PopStyleVar();
     if (changed) bindings.setting_changed();
     test_area(context, with, setting);
-    if (wide_button(context, "As it was##tablet")) {
+    if (wide_button(context, "Reset##tablet")) {
       setting = {};
       bindings.setting_changed();
     }

@@ -68,8 +68,8 @@ void Recording::follow() {
   const bool broken = file_ && file_->writer().broken();
   if (broken == broken_told_ || !file_) return;
   broken_told_ = broken;
-  if (!broken) return notices_.tell("this session is recorded again, with all that was drawn in between");
-  notices_.tell("this session cannot be recorded now, and is kept in memory until it can: " +
+  if (!broken) return notices_.tell("recording again; nothing was lost");
+  notices_.tell("this session cannot be written now; it stays in memory until it can: " +
                     file_->writer().broken()->line(file_->path()),
                 true);
 }

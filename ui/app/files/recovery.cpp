@@ -35,7 +35,7 @@ void Recovery::recover(bool yes) {
   if (!yes) return;
   if (const auto back = together ? files_.bring_back_cast(together->cast) : files_.bring_back(path); !back)
     return notices_.tell(back.error().line(path), true);
-  notices_.tell("brought back the work of " + std::filesystem::path(path).stem().string());
+  notices_.tell("recovered " + std::filesystem::path(path).stem().string());
 }
 
 }  // namespace penpose::app

@@ -112,7 +112,7 @@ base::Result<std::unique_ptr<SessionFile>> SessionFile::create_in(const std::str
 
 base::Result<std::unique_ptr<SessionFile>> SessionFile::resume(const std::string& path, const std::string& program) {
   const int lock = take_lock(path, O_CREAT);
-  if (lock < 0) return base::Error{"another window goes on with this session", "", "close that one first"};
+  if (lock < 0) return base::Error{"this session is open in another window", "", "close that one first"};
   auto file = files::AppendFile::go_on(path);
   if (!file) {
     ::close(lock);

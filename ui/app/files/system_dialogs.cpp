@@ -53,14 +53,14 @@ portal::FileQuestion SystemDialogs::question_for(Dialog dialog) const {
     question.name = name_to_save(parts_.files, question.folder);
     question.filters = {{"Projects", {".glb"}}};
   } else if (dialog == Dialog::export_as) {
-    question.title = "Write a copy for other programs";
+    question.title = "Export for other programs";
     question.name = name_to_export(parts_.files, question.folder);
     question.filters = filters_to_export();
   } else if (dialog == Dialog::backdrop) {
     question.title = "A picture or a film to animate after";
     question.filters = filters_of(reference_kinds());
   } else {
-    question.title = "A sound beside the timeline";
+    question.title = "Sound on the timeline";
     question.filters = filters_of(sound_kinds());
   }
   return question;

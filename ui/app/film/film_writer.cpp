@@ -46,7 +46,7 @@ bool FilmWriter::lacks_sound() const {
 
 bool FilmWriter::write(const std::string& path, const FilmEntry& entry) {
   if (job_) {
-    with_.notices.tell("another film is being written still: " + job_->output(), true);
+    with_.notices.tell("another film is still being written: " + job_->output(), true);
     return false;
   }
   FilmOrder order;
@@ -98,7 +98,7 @@ void FilmWriter::playblast() {
   entry.kind = film::FilmKind::pictures;
   const std::string pictures = free_path(folder, stem, "");
   if (!write((fs::path(pictures) / (stem + ".png")).string(), entry)) return;
-  with_.notices.tell("ffmpeg is not installed: pictures are written in place of a film");
+  with_.notices.tell("ffmpeg is not installed: writing pictures instead of a film");
 }
 
 void FilmWriter::cancel() {
@@ -115,7 +115,7 @@ void FilmWriter::follow() {
   if (ended->ok()) {
     with_.notices.tell("written: " + written);
   } else if (cancelled) {
-    with_.notices.tell("given up: " + path);
+    with_.notices.tell("cancelled: " + path);
   } else {
     with_.notices.tell(ended->error().line(path), true);
   }

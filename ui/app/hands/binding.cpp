@@ -19,7 +19,7 @@ struct Word {
   std::string_view tip;
 };
 
-constexpr std::string_view k_view_tip = "While it is held the pen moves the view and draws nothing";
+constexpr std::string_view k_view_tip = "Hold to move the view with the pen";
 
 constexpr std::array k_views{Word<ViewHold>{ViewHold::turn, "turn", "Turn view", k_view_tip},
                              Word<ViewHold>{ViewHold::move, "move", "Move view", k_view_tip},
@@ -30,7 +30,7 @@ constexpr auto k_dials =
                                   {DialUse::turn, "turn", "Turn", "The view, about the model"},
                                   {DialUse::control, "control", "Control",
                                    "The value of the control that is selected, or that the last stroke moved most"},
-                                  {DialUse::undo, "undo", "Undo and redo", "Back and forth through what was done"},
+                                  {DialUse::undo, "undo", "Undo and redo", "Undo and redo, step by step"},
                                   {DialUse::keys, "keys", "Key to key", "From key to key of the timeline"}});
 
 template <typename T, std::size_t n>
@@ -175,11 +175,11 @@ std::string tip_of(const Binding& binding) {
     case Kind::view:
       return std::string(by_value(k_views, binding.view)->tip);
     case Kind::tool:
-      return "While it is held; then the tool is again the one that it was";
+      return "Hold for this tool; release for the previous one";
     case Kind::pen_menu:
-      return "Turns the view while it is held; a click opens the menu around the pen";
+      return "Hold to turn the view; click for the pen menu";
     case Kind::next_mode:
-      return "Rings, strips and wheels do the next of their four things";
+      return "Switch rings, strips and wheels to their next function";
     case Kind::dial:
       return std::string(by_value(k_dials, binding.dial)->tip);
   }
@@ -266,7 +266,7 @@ std::string title_of(const PadControl& control, const decode::PadFeatures& featu
     case PadControl::Kind::pen_wheel:
       return "Pen's wheel";
     case PadControl::Kind::pen_rotation:
-      return "Turning the pen";
+      return "Pen rotation";
   }
   return {};
 }

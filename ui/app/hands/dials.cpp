@@ -71,7 +71,7 @@ void Dials::turn_control(double notches) {
     }
     const auto index = rig::find_parameter(parameters, name);
     if (!index) {
-      parts_.notices.tell("no control is in hand: draw a pose, or select a control in the panel");
+      parts_.notices.tell("no control is selected: draw a pose, or select a control in the panel");
       return;
     }
     control_ = name;

@@ -108,7 +108,7 @@ struct Tablets::State {
     if (!watch) {
       {
         const std::scoped_lock lock(mutex);
-        refused.push_back("No tablet can be seen, only mouse and touch draw: " + message_of(watch.error()));
+        refused.push_back("No tablet found; draw with the mouse or by touch: " + message_of(watch.error()));
       }
       wake();
       return;

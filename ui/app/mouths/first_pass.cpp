@@ -29,7 +29,7 @@ base::Status FirstPass::listen(const std::string& text) {
   for (const std::string_view name : speech::k_mouth_names) all.push_back({0, std::string(name)});
   if (const auto drawn = speech::with_drawn(all, editing_.document().mouths); !drawn) return drawn.error();
   const auto sound = track_.shared_sound();
-  if (!sound) return base::Error{"there is no sound beside the timeline", "", "open one first"};
+  if (!sound) return base::Error{"the timeline has no sound", "", "open one first"};
   // One that was stopped ends before.
   if (future_.valid()) future_.wait();
   listening_ = std::make_shared<speech::Listening>();
@@ -57,7 +57,7 @@ void FirstPass::follow() {
   if (!heard) {
     refused_ = heard.error().line();
   } else if (track_.shared_sound() != heard_sound_) {
-    refused_ = "the sound beside the timeline is another one by now";
+    refused_ = "the sound on the timeline has changed";
   } else if (const auto keyed = key(heard->cues); !keyed) {
     refused_ = keyed.error().line();
   } else {

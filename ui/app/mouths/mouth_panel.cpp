@@ -209,13 +209,13 @@ void show_choices(PanelContext& context, const MouthOwners& with) {
   const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   ImGui::BeginDisabled(!chosen);
   if (wide_button(context, "Redraw##mouth", third, chosen && with.redraws(*slot),
-                  "Take this mouth, draw it as it should be, then tap its picture"))
+                  "Load this mouth, redraw it, then tap its picture"))
     with.kept.redraw(name);
   ImGui::SameLine();
-  if (wide_button(context, "Replace##mouth", third, false, "The mouth as it is now becomes this one; its keys follow"))
+  if (wide_button(context, "Replace##mouth", third, false, "Replace with the current mouth; its keys follow"))
     with.kept.keep(name);
   ImGui::SameLine();
-  if (wide_button(context, "Delete##mouth", third, false, "Forget this mouth; keys that were made of it stay"))
+  if (wide_button(context, "Delete##mouth", third, false, "Remove this mouth; its keys stay"))
     with.kept.remove(name);
   ImGui::EndDisabled();
 }
@@ -232,9 +232,9 @@ void show_mouths(PanelContext& context, EditingSession& editing, KeptMouths& kep
   show_slots(context, with, std::max(2 * context.unit, ImGui::GetContentRegionAvail().y - below));
   show_choices(context, with);
   if (usual && wide_button(context, "From the model's own controls##mouth", -1, false,
-                           "Mouths that the names of its controls tell, in the places that are empty"))
+                           "Fill the empty places from the model's own mouth shapes"))
     kept.keep_usual();
-  if (wide_button(context, "First pass...##mouth", -1, false, "Let the sound beside the timeline be spoken"))
+  if (wide_button(context, "First pass...##mouth", -1, false, "Lip sync: key mouths to the sound"))
     dialogs.show(Dialog{"first pass"});
 }
 

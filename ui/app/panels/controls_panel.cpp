@@ -215,7 +215,7 @@ void show_new(PanelContext& context, const ControlsPanelOwners& with) {
   }
   ImGui::SameLine();
   swing_button(context, with, -1);
-  if (wide_button(context, "Give up", -1, false, "Forget the strokes of this control (Esc)")) {
+  if (wide_button(context, "Give up", -1, false, "Discard the lines of this control (Esc)")) {
     editing.perform(document::CancelDeformer{});
   }
 }
@@ -293,7 +293,7 @@ void show_betweens(PanelContext& context, const ControlsPanelOwners& with, const
       with.controls.draw_between(name, one.value);
     }
     ImGui::SameLine();
-    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this target")) {
+    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Remove this target")) {
       with.editing.perform(document::DeleteBetween{name, one.value});
       return;
     }

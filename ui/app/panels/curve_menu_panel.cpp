@@ -30,7 +30,7 @@ void show_feature_rows(PanelContext& context, PanelState& panels, const document
     ImGui::SameLine();
   }
   if (!wide_button(context, "This is another feature##face", width, false,
-                   "Say which feature of the face runs along this line, as the face is"))
+                   "Choose the feature that this line follows"))
     return;
   panels.curve_menu.reset();
   panels.feature_menu = FeatureMenu{{}, line.id, {}, {}, at};
@@ -69,10 +69,10 @@ void show_face_menu(PanelContext& context, EditingSession& editing, const Canvas
       if (wide_button(context, label.c_str(), width, names[i] == feature, "This line is that"))
         chosen = document::NameFaceLine{id, names[i], false};
     }
-    if (wide_button(context, "Nothing of these##face", width, feature.empty(), "The line moves nothing"))
+    if (wide_button(context, "Nothing of these##face", width, feature.empty(), "Ignore this line"))
       chosen = document::NameFaceLine{id, {}, true};
     ImGui::SameLine();
-    if (wide_button(context, "Find again##face", width, false, "What it is, is found from all lines"))
+    if (wide_button(context, "Find again##face", width, false, "Find what this line is from all lines"))
       chosen = document::NameFaceLine{id, {}, false};
     if (wide_button(context, "Delete##face", width, false, "Take the line away")) chosen = document::DeleteCurve{id};
     ImGui::SameLine();
@@ -121,7 +121,7 @@ void show_curve_menu(PanelContext& context, const Area& /*area*/, EditingSession
       editing.perform(document::KeepCurve{id});
       done = true;
     }
-    if (wide_button(context, "Feature##curve", -1, false, "Say which feature of the face runs along this line")) {
+    if (wide_button(context, "Feature##curve", -1, false, "Choose the feature that this line follows")) {
       panels.feature_menu = FeatureMenu{{}, id, {}, {}, chosen->second};
       done = true;
     }

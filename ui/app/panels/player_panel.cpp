@@ -23,7 +23,7 @@ void show_player(PanelContext& context, const Area& area, Player& player) {
     const bool close = wide_button(context, "Close##player");
     ImGui::SameLine();
     ImGui::ProgressBar(static_cast<float>(trace->progress()), {-1, context.unit},
-                       trace->finished() ? "at its end" : "playing a recording");
+                       trace->finished() ? "finished" : "playing a recording");
     if (close) trace.reset();
   }
   end_panel();

@@ -56,7 +56,7 @@ void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, Canva
     ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});
     ImGui::Dummy({context.unit, context.unit});
     tooltip(context, recording.records() ? ("Recorded as it happens: " + recording.path()).c_str()
-                                         : "This session is not recorded");
+                                         : "This session is not being recorded");
   }
   end_panel();
 }

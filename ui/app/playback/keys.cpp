@@ -197,7 +197,7 @@ bool Keys::at_cursor() const {
 void Keys::copy() {
   clipboard_ = copied_pose(editing_.document(), playback_.time_s());
   carried_.emplace(editing_);
-  notices_.tell("the pose is copied: Paste keys it at another moment");
+  notices_.tell("the pose is copied: go to another frame and paste");
 }
 
 void Keys::paste() {
@@ -215,7 +215,7 @@ void Keys::paste_mirrored() {
 void Keys::mirror() {
   const document::Document& document = editing_.document();
   const auto exchanged = mirrored_keys(document, any_meant() ? meant() : document::OfKeys{});
-  if (exchanged.empty()) return notices_.tell("both sides are the same: nothing to exchange");
+  if (exchanged.empty()) return notices_.tell("both sides are the same: there is nothing to flip");
   bool first = true;
   for (const document::Command& one : exchanged) {
     if (!(first ? editing_.perform(one) : editing_.perform_with(one))) return;

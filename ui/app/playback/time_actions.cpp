@@ -82,13 +82,13 @@ constexpr ActionInfo action_of_kind(std::string_view name, std::string_view labe
 
 // clang-format off
 constinit const std::array k_time_actions{
-    ActionInfo{{"key_pose"}, "Key", plain_stroke('i'), plain_stroke('k'), "Keep the pose at this moment",
+    ActionInfo{{"key_pose"}, "Key", plain_stroke('i'), plain_stroke('k'), "Key the pose at this frame",
      "M12 4L20 12L12 20L4 12F", does([](Keys& keys, Controls& controls) {
        // What is seen is keyed.
        controls.take_trial();
        keys.set();
      })},
-    ActionInfo{{"delete_key"}, "Delete key", shift_stroke('i'), {}, "Remove the selected keys, else those at this moment",
+    ActionInfo{{"delete_key"}, "Delete key", shift_stroke('i'), {}, "Delete the selected keys, else the keys at this frame",
      "M10 4L18 12L10 20L2 12Z M17 4L22 9M22 4L17 9",
      does([](Keys& keys) { keys.remove(); }), does([](Keys& keys) { return keys.any_meant(); })},
     ActionInfo{{"previous_key"}, "Key before", plain_stroke(','), {}, "Go to the key before",
@@ -115,9 +115,9 @@ constinit const std::array k_time_actions{
      "M15 5L7 12L15 19Z", does([](Playback& playback) { step(playback, -1); })},
     ActionInfo{{"next_frame"}, "Frame on", shift_stroke('.'), ctrl_stroke(k_key_right), "Go one frame on",
      "M9 5L17 12L9 19Z", does([](Playback& playback) { step(playback, 1); })},
-    ActionInfo{{"copy_key"}, "Copy", ctrl_stroke('c'), {}, "Copy the pose of this moment, to be put at another one",
+    ActionInfo{{"copy_key"}, "Copy", ctrl_stroke('c'), {}, "Copy the pose at this frame",
      "M8 8L20 8L20 20L8 20Z M16 8L16 4L4 4L4 16L8 16", does([](Keys& keys) { keys.copy(); })},
-    ActionInfo{{"paste_key"}, "Paste", ctrl_stroke('v'), {}, "Key the pose that was copied at this moment",
+    ActionInfo{{"paste_key"}, "Paste", ctrl_stroke('v'), {}, "Key the copied pose at this frame",
      "M7 5L4 5L4 21L16 21L16 18M8 3L20 3L20 17L8 17Z M11 10L17 10M14 7L14 13",
      does([](Keys& keys) { keys.paste(); }), does([](Keys& keys) { return keys.copied(); })},
     ActionInfo{{"paste_mirrored"}, "Paste mirrored", KeyStroke{'v', true, true}, {},
@@ -134,7 +134,7 @@ constinit const std::array k_time_actions{
     ActionInfo{{"loop_to"}, "Out point", plain_stroke(']'), {}, "What is played over and over ends here",
      "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16",
      does([](Playback& playback) { playback.loop().end_at(playback.time_s()); })},
-    ActionInfo{{"loop_off"}, "Clear in and out", plain_stroke('\\'), {}, "All is played, from the first frame to the last key",
+    ActionInfo{{"loop_off"}, "Clear in and out", plain_stroke('\\'), {}, "Play everything, from the first frame to the last key",
      "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", does([](Playback& playback) { playback.loop() = {}; })},
     ActionInfo{{"play_speed"}, "Speed", {}, {}, "Play at the whole, half or a quarter of the speed; the sound slows along",
      "A12 14 9 -180 0M12 14L17 8D12 14 1.5", does<next_speed>},
@@ -146,13 +146,13 @@ constinit const std::array k_time_actions{
     ActionInfo{{"next_bookmark"}, "Bookmark after", ctrl_stroke(k_key_page_down), {}, "Go to the bookmark after",
      "M3 21L3 4L12 4L9 8L12 12L3 12M16 8L21 12L16 16",
      does([](const EditingSession& editing, Playback& playback, Notices& notices) { step_bookmark(editing, playback, notices, 1); })},
-    ActionInfo{{"auto_key"}, "Auto-key", shift_stroke('k'), {}, "Every change of the pose is keyed at this moment",
+    ActionInfo{{"auto_key"}, "Auto-key", shift_stroke('k'), {}, "Key every change of the pose at the current frame",
      "M9 5L16 12L9 19L2 12F D20 5 3", does([](Playback& playback) { flip_on(playback.while_drawing().auto_key); })},
-    ActionInfo{{"film"}, "Film", {}, {}, "Write what is played as a film with sound, a GIF, pictures, or a sheet of frames",
+    ActionInfo{{"film"}, "Film", {}, {}, "Export a film with sound, a GIF, pictures, or a sheet of frames",
      "M3 5L21 5L21 19L3 19Z M7 5L7 19M17 5L17 19M3 12L7 12M17 12L21 12",
      does<name_film>},
     ActionInfo{{"playblast"}, "Playblast", {}, {},
-     "Write what is played, as the canvas shows it, into a film beside the project at once",
+     "Write the canvas to a film next to the project, at once",
      "M3 5L21 5L21 19L3 19Z M10 8L16 12L10 16F",
      does([](FilmWriter& film) { film.playblast(); }), does([](FilmWriter& film) { return !film.writes(); })},
     ActionInfo{{"perform"}, "Perform", shift_stroke(' '), {},

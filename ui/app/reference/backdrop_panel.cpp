@@ -86,7 +86,7 @@ void show_backdrop_bar(PanelContext& context, const BackdropPanelOwners& with, B
   const document::View& view = with.canvas.view();
   const bool beside = backdrop.placed().beside;
   ButtonRow row(context, "more of the reference");
-  ButtonRow::Button done{"Done##behind", {}, "Leave it there and draw"};
+  ButtonRow::Button done{"Done##behind", {}, "Done: draw over it"};
   done.weight = ButtonWeight::primary;
   done.does = [&backdrop] { backdrop.adjusting = false; };
   row.add(std::move(done));
@@ -114,7 +114,7 @@ void show_backdrop_bar(PanelContext& context, const BackdropPanelOwners& with, B
   ButtonRow::Button other{"Other##behind", {}, "Choose another picture or film"};
   other.does = [&with] { with.dialogs.show(Dialog::backdrop); };
   row.add(std::move(other));
-  ButtonRow::Button remove{"Remove##behind", {}, "Take the picture away"};
+  ButtonRow::Button remove{"Remove##behind", {}, "Remove the picture"};
   remove.does = [&with] { with.references.remove(); };
   row.add(std::move(remove));
   row.show(static_cast<float>(free.width()));

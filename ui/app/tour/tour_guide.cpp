@@ -242,7 +242,7 @@ TourGuide::Answer TourGuide::judge_drawn() const {
   }
   const auto asked = seen(ghost_, view);
   const auto before = seen(from, view);
-  if (line.empty() || asked.empty()) return {false, "That was not seen as a line: once more"};
+  if (line.empty() || asked.empty()) return {false, "That was too short for a line: draw it again"};
   // Of a line that is shown smaller the same share.
   const double scale = length_of(asked) / std::max(1.0, length_of(*drawn.line));
   const LineJudgement judgement = judge_line(line, {asked, before, within * scale, drawn.lasso});
@@ -332,7 +332,7 @@ void TourGuide::follow() {
       if (!other) return;
       const std::string tool = pointed();
       parts_.playback.go_to_step(begun_.back());
-      again_ = "Not yet that, so it is taken back" + (tool.empty() ? std::string() : ": press " + tool + " first");
+      again_ = "Not quite, so it was undone" + (tool.empty() ? std::string() : ": press " + tool + " first");
       return;
     }
     const Answer answer = judge();

@@ -67,7 +67,7 @@ LineJudgement judge_line(std::span<const PxPoint> drawn, const AskedLine& asked)
   const double back = mean_distance(line, mine);
   const std::string to = asked.closed ? "go all around along the dashed line" : "draw along the dashed line";
   if (!asked.from.empty() && mean_distance(mine, asked.from) * k_nearer < there)
-    return {false, "That is where it is already: " + to};
+    return {false, "It is already there: " + to};
   if (there <= asked.within_px && back <= asked.within_px) return {true, {}};
   if (back > asked.within_px && back > k_part * there) return {false, "That was a part of it: " + to + " to its end"};
   if (there > asked.within_px && there > k_part * back)

@@ -136,10 +136,10 @@ void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files&
     ImGui::SetCursorScreenPos({beside ? static_cast<float>(area.right) - k_buttons_units * context.unit : x, button_y});
     if (!guide.done()) {
       bool held = false;
-      if (wide_button(context, "Skip##tour", width, false, "This step is done for you")) pressed = Pressed::skip;
+      if (wide_button(context, "Skip##tour", width, false, "Do this step for me")) pressed = Pressed::skip;
       held = ImGui::IsItemActive();
       ImGui::SameLine();
-      if (wide_button(context, "Leave##tour", width, false, "Go on by yourself, with what is drawn"))
+      if (wide_button(context, "Leave##tour", width, false, "Leave the tour and keep the drawing"))
         pressed = Pressed::leave;
       held = held || ImGui::IsItemActive();
       const ImVec2 from = ImGui::GetIO().MouseClickedPos[0];

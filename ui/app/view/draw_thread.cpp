@@ -80,7 +80,7 @@ struct DrawThread::State {
         if (now == Job::start) result = presenter->begin();
         if (now == Job::frame) result = presenter->draw(frame, *panels->data());
       } catch (const std::bad_alloc&) {
-        result = base::Error{"the memory does not suffice for the picture", "", "make the window or the model smaller"};
+        result = base::Error{"there is not enough memory for the picture", "", "make the window or the model smaller"};
       }
       if (now == Job::letters) presenter->send_letters();
       if (now == Job::stop) presenter->end();

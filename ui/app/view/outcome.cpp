@@ -16,9 +16,9 @@ std::string why_nothing_moved(EditingSession& editing) {
   if (editing.last_stroke().within_hand(editing.document(), editing.editor().view().viewport))
     return "the curve already is where the line was drawn";
   const std::vector<std::string> others = words_of_readings(editing.document(), editing.words());
-  if (!others.empty()) return "what would come nearest is " + others.front();
-  return editing.document().locked.empty() ? "no control of this model brings the curve to the line"
-                                           : "no control that is not locked brings the curve to the line";
+  if (!others.empty()) return "the nearest would be " + others.front();
+  return editing.document().locked.empty() ? "no control of this model moves the curve towards the line"
+                                           : "no unlocked control moves the curve towards the line: unlock some in the panel";
 }
 
 std::string number(const char* format, double value) {

@@ -61,7 +61,7 @@ void add_window_options(const Command& command, files::WindowRequest& request) {
                      "Where to record the session; a file that is there is not written over");
   add_tablet_options(command, request.own);
   add_live_option(command, request.live);
-  command.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
+  command.add_flag("--fullscreen", request.fullscreen, "Fill the whole screen");
   add_draw_option(command, request.draw);
   add_screen_options(command, request);
   // For tests and measurements.

@@ -63,7 +63,7 @@ TEST(KeyboardDialog, AKeyThatIsInUseIsSaidAndTakenOverOnlyWhenAsked) {
   // Undo has its own key again, and that is asked, too.
   search(desk, "take back the last");
   desk.click("###key 0 undo");
-  desk.click("As it was##key");
+  desk.click("Reset##key");
   EXPECT_EQ(kept_keys(desk).shortcut_of(Action::undo), "");
   desk.click("Take it for Undo###take over");
   EXPECT_EQ(kept_keys(desk).shortcut_of(Action::undo), "Ctrl+Z");

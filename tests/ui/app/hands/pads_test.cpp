@@ -107,7 +107,7 @@ TEST(Pads, TheRingIsABrushOfTimeAndItsLightsOtherValues) {
   EXPECT_NEAR(desk.document().time_s, 1.0, 1e-9);
   desk.tap(0);
   desk.ring(10, 30);
-  EXPECT_TRUE(desk.told("no control is in hand: draw a pose, or select a control in the panel"));
+  EXPECT_TRUE(desk.told("no control is selected: draw a pose, or select a control in the panel"));
   desk.tap(0);
   // Moves in time are no steps: what was keyed at 2 s is taken back first, then the value that was set there.
   EXPECT_EQ(desk.document().timeline->keys.size(), 2U);
@@ -194,7 +194,7 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
     desk.hold(0);
   }
   PadDesk desk("pad-bind", false);
-  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start anew");
+  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start fresh");
   desk.begin();
   const DeskTablet& tablet = *desk.app->of<HandDesk>().find(k_pad);
   EXPECT_EQ(desk.app->of<Bindings>().bound(tablet, key(1)), binding_of(Action::view_front)) << "and it is kept";
@@ -204,7 +204,7 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
   EXPECT_EQ(desk.app->of<Bindings>().bound(tablet, key(2)), binding_of(Action::redo)) << "the others do what they did";
   desk.open_menu("Tablet");
   desk.click("Tablet keys");
-  desk.click("As it was##pad");
+  desk.click("Reset##pad");
   EXPECT_EQ(desk.app->of<Bindings>().bound(*desk.app->of<HandDesk>().find(k_pad), key(1)), binding_of(Action::undo));
   EXPECT_TRUE(load_settings(desk.path("config")).pads.empty());
 }

@@ -116,7 +116,7 @@ TEST(Sides, AMirroredSessionReplaysToTheSameState) {
     std::filesystem::copy_file(desk.app->of<Recording>().path(), desk.path("recorded.session"));
   }
   Desk desk("mirror-replay", "builtin:demo", false);
-  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start anew");
+  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start fresh");
   // Habits are not what a recording is played with.
   desk.app->of<Playback>().while_drawing().mirrors = desk.app->of<Playback>().while_drawing().auto_key = true;
   ASSERT_TRUE(desk.app->of<Files>().play_trace(desk.path("recorded.session")).ok());

@@ -220,7 +220,7 @@ TEST(Recovery, WhatIsLeftForLaterIsOfferedAtTheNextStart) {
   desk.reset();
   desk = start("crash-later");
   ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
-  desk->click("Start anew");
+  desk->click("Start fresh");
   EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none);
   desk.reset();
   desk = start("crash-later");

@@ -77,9 +77,9 @@ std::optional<Command> change_feature(PanelContext& context, EditingSession& edi
   if (begin_panel(context, "feature",
                   menu_area(context, canvas, menu.at, wide, (corrected ? 3.6 : 2.6) + (part ? 2 : 0)))) {
     ImGui::TextUnformatted(feature_words(menu.feature).c_str());
-    if (wide_button(context, "No such feature", -1, false, "The face has none there: no line is read as it"))
+    if (wide_button(context, "No such feature", -1, false, "The face has no such feature; lines are never read as it"))
       chosen = document::PlaceFeature{menu.feature, {}};
-    if (corrected && wide_button(context, "As found", -1, false, "Take your correction back"))
+    if (corrected && wide_button(context, "As found", -1, false, "Undo your correction"))
       chosen = document::FeatureAsFound{menu.feature};
     const bool restricts = part && show_part_rows(context, editing, panels, restriction, *part);
     closes = wide_button(context, "Close##feature", -1) || restricts;

@@ -121,7 +121,7 @@ void show_pictures(PanelContext& context, const PosePanelOwners& with, float hei
   show_expressions(context, with, row);
   if (held->keys.empty()) {
     ImGui::TextWrapped(
-        "No pose is keyed yet. Draw one, press Key, and give it a name: it can be taken again from here.");
+        "No pose is keyed yet. Draw one and press Key; it appears here.");
   }
   ImGui::EndChild();
 }
@@ -129,10 +129,10 @@ void show_pictures(PanelContext& context, const PosePanelOwners& with, float hei
 /// What of the chosen pose is taken, and how much of it.
 void show_choice(PanelContext& context, const PosePanelOwners& with) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
-  show_part_buttons(context, choice.part, "What of the pose is taken");
+  show_part_buttons(context, choice.part, "Which part of the pose to apply");
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - spacing);
-  ButtonLook mirror{half, choice.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
+  ButtonLook mirror{half, choice.mirrored, "Flip left and right", icon_of(Action::flip_pose)};
   if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
   ImGui::SameLine();
   ImGui::BeginDisabled(!choice.chosen());
@@ -144,7 +144,7 @@ void show_choice(PanelContext& context, const PosePanelOwners& with) {
     with.editing.shown().preview(std::nullopt);
     if (!values.values.empty()) with.editing.perform(values);
   };
-  if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
+  if (wide_button(context, "Take##pose", half, false, "Apply the whole pose")) take(1);
   bool released = false;
   double amount = with.panels.own.of<PosesShown>().blending ? choice.amount : 0;
   if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
@@ -162,7 +162,7 @@ void show_keep(PanelContext& context, const PosePanelOwners& with) {
   const PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   document::Document document = with.editing.document();
   ImGui::BeginDisabled(!choice.chosen());
-  if (wide_button(context, "Keep in library##pose", -1, false, "The chosen pose, for every other file and rig")) {
+  if (wide_button(context, "Keep in library##pose", -1, false, "Save the chosen pose for every file and rig")) {
     PoseChoice whole = choice;
     whole.part = FacePart::all;
     whole.amount = 1;
@@ -201,10 +201,10 @@ void show_poses(PanelContext& context, EditingSession& editing, Playback& playba
   const PosePanelOwners with{editing, playback, panels, shelf};
   PosesShown& shown = panels.own.of<PosesShown>();
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (wide_button(context, "This file##poses", half, !shown.library, "Poses that are keyed here"))
+  if (wide_button(context, "This file##poses", half, !shown.library, "Keyed poses of this file"))
     shown.library = false;
   ImGui::SameLine();
-  if (wide_button(context, "Library##poses", half, shown.library, "Poses that were kept, for every file and rig"))
+  if (wide_button(context, "Library##poses", half, shown.library, "Your saved poses, for every file and rig"))
     shown.library = true;
   if (shown.library) return show_pose_shelf(context, shelf, editing, panels, shown.choice.part);
   const float below = 4 * (context.unit + ImGui::GetStyle().ItemSpacing.y);

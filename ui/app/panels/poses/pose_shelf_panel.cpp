@@ -102,9 +102,9 @@ void show_files(PanelContext& context, const Shelf& with, float height) {
     if (show_file(context, with, file, width)) pressed = file.path;
   }
   if (with.poses.poses().empty()) {
-    ImGui::TextWrapped("No pose is kept yet. Pose a face and press Keep: the pose is then here for every rig.");
+    ImGui::TextWrapped("The library is empty. Pose the face and press Keep to save it here for every rig.");
   } else if (listed.empty()) {
-    ImGui::TextWrapped("No pose of that name and part.");
+    ImGui::TextWrapped("No pose matches.");
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", with.poses.folder().c_str());
@@ -141,7 +141,7 @@ void show_chosen(PanelContext& context, const Shelf& with) {
     return;
   }
   ImGui::BeginDisabled(file == nullptr);
-  if (wide_button(context, "Delete##pose", -1, false, "Into the trash of the library; it can be brought back")) {
+  if (wide_button(context, "Delete##pose", -1, false, "Move to the library's trash")) {
     with.poses.bin(with.shown.chosen);
     choose(with, {});
   }
@@ -151,10 +151,10 @@ void show_chosen(PanelContext& context, const Shelf& with) {
 void show_amount(PanelContext& context, const Shelf& with) {
   ShelfShown& shown = with.shown;
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  ButtonLook mirror{half, shown.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
+  ButtonLook mirror{half, shown.mirrored, "Flip left and right", icon_of(Action::flip_pose)};
   if (icon_button(context, "Mirrored##kept", mirror)) shown.mirrored = !shown.mirrored;
   ImGui::SameLine();
-  if (wide_button(context, "Keep##pose", -1, false, "Keeps the face as it is in the library, for every rig")) {
+  if (wide_button(context, "Keep##pose", -1, false, "Save the current face to the library, for every rig")) {
     const std::string path = with.poses.keep(with.editing.document().pose, usual_pose_name(with.poses));
     if (!path.empty()) choose(with, path);
   }
@@ -188,7 +188,7 @@ void show_pose_shelf(PanelContext& context, PoseShelf& poses, EditingSession& ed
   text_field(context, "##find pose", with.shown.search, -1, "search");
   const float below = 4 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
   show_files(context, with, std::max(2 * context.unit, ImGui::GetContentRegionAvail().y - below));
-  show_part_buttons(context, part, "What is taken, and of what poses are shown");
+  show_part_buttons(context, part, "Which part to show and apply");
   show_amount(context, with);
   show_chosen(context, with);
 }

@@ -245,8 +245,8 @@ void show_list(PanelContext& context, const SidePanelOwners& with) {
   if (parameters.empty()) {
     ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
   } else {
-    ImGui::TextWrapped(with.panels.own.of<ParameterList>().filter.empty() ? "Everything is at rest."
-                                                                          : "Nothing has this in its name.");
+    ImGui::TextWrapped(with.panels.own.of<ParameterList>().filter.empty() ? "Nothing has moved yet."
+                                                                          : "No name matches.");
   }
 }
 

@@ -146,7 +146,7 @@ void show_row_menu(PanelContext& context, const RowOwners& with, const ControlNa
 void show_group_menu(PanelContext& context, const RowOwners& with, const ControlNames& group) {
   if (!begin_menu(context, "group")) return;
   lock_entry(context, with, group, "all of it");
-  if (row_entry(context, "Reset##reset group", icon::k_back, "The whole group back to rest"))
+  if (row_entry(context, "Reset##reset group", icon::k_back, "Reset the whole group to rest"))
     with.editing.perform(document::ResetParameters{group});
   restrict_entries(context, with, group);
   ImGui::EndPopup();
@@ -162,7 +162,7 @@ void show_quick_buttons(PanelContext& context, const RowOwners& with, const Cont
   const bool locked = all_locked(with.editing, names);
   if (lock_button(context, ("##lock " + label).c_str(), locked,
                   locked ? "Locked: neither a stroke nor a slider moves it. Touch to free it"
-                         : "Touch to lock it: no stroke will move it, and the last one is solved again without it"))
+                         : "Lock: no line moves it; the last line is solved again without it"))
     lock_parameters(with.editing, names, !locked);
   ImGui::SameLine(0, 0);
   if (names.size() == 1 && is_sketched(with.editing, names.front())) {

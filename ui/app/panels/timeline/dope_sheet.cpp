@@ -208,7 +208,7 @@ void show_dope_sheet(PanelContext& context, const TimelineOwners& with, float he
   }
   if (sheet.rows.empty()) {
     list.AddText({sheet.strip.from.x + sheet.strip.inset, sheet.strip.from.y + 0.3F * context.unit},
-                 ImGui::GetColorU32(ImGuiCol_TextDisabled), "No control is keyed away from rest yet: pose, then Key");
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), "Nothing is keyed yet: pose the face, then press Key");
   }
   list.PopClipRect();
 }

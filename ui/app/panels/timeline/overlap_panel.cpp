@@ -81,7 +81,7 @@ void show_values(PanelContext& context, const OverlapPanelOwners& with) {
   const auto rounded = [](double value) { return std::round(value / k_finest_frames) * k_finest_frames; };
   OverlapValues values = with.offer.values();
   bool moved = false;
-  if (show_slider(context, {"##delay", "delay", 0, k_most_delay_frames, "They do the same so many frames later"},
+  if (show_slider(context, {"##delay", "delay", 0, k_most_delay_frames, "How many frames later they move"},
                   text("%.1f frames later", values.delay_frames), values.delay_frames)) {
     values.delay_frames = rounded(values.delay_frames);
     moved = true;
@@ -101,7 +101,7 @@ void show_values(PanelContext& context, const OverlapPanelOwners& with) {
     moved = true;
   }
   if (values.leader &&
-      show_slider(context, {"##amount", "amount", -1, 1, "How much of the leader's motion, as shares of both ranges"},
+      show_slider(context, {"##amount", "amount", -1, 1, "How much of the leader's motion they follow"},
                   text("%.0f %% of it", 100 * values.amount), values.amount)) {
     values.amount = std::round(100 * values.amount) / 100;
     moved = true;
@@ -138,9 +138,9 @@ void show_overlap(PanelContext& context, const Area& /*area*/, EditingSession& e
                   {right - width, top, right, std::min(top + static_cast<double>(height), free.bottom)}, true)) {
     ImGui::TextWrapped("%s", title.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
-    if (primary_button(context, "Bake##overlap", half, "Key it; one step of Undo takes it back")) offer.bake();
+    if (primary_button(context, "Bake##overlap", half, "Turn it into keys; one Undo takes it back")) offer.bake();
     ImGui::SameLine();
-    if (wide_button(context, "Cancel##overlap", half, false, "Everything stays as it was (Esc)")) offer.dismiss();
+    if (wide_button(context, "Cancel##overlap", half, false, "Discard and change nothing (Esc)")) offer.dismiss();
     if (wide_button(context, "Show by drawing##overlap", -1, offer.shows(),
                     "Draw once where the trailing part should be: the softness is found, and the drawing taken back"))
       offer.show_by_drawing(!offer.shows());

@@ -49,7 +49,7 @@ void touch_row(const TimelineOwners& with, const SheetRow& row) {
   if (shown.part == TimelinePart::curves) {
     if (shown.chosen.erase(control) > 0) return;
     if (shown.chosen.size() >= k_most_curves)
-      return with.notices.tell("so many curves cannot be told apart: touch the name of one to hide it first");
+      return with.notices.tell("too many curves to tell apart: hide one first by touching its name");
     shown.chosen.insert(control);
     return;
   }

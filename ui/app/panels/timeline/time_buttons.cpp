@@ -20,7 +20,7 @@ namespace {
 void show_frame_field(PanelContext& context, const TimelineOwners& with, float width) {
   bool accepted = false;
   text_field(context, "##frame", with.shown().frame_text, width, "frame", &accepted);
-  tooltip(context, "The frame; type one to go there, or seconds as in 1.5s");
+  tooltip(context, "Type a frame, or seconds such as 1.5s");
   if (accepted) {
     if (const auto moment = typed_moment(with.shown().frame_text, with.playback.rate())) {
       with.playback.go_to(*moment);
@@ -141,7 +141,7 @@ void add_rest(const TimelineOwners& with, ButtonRow& row) {
   const auto here = std::find_if(keys.begin(), keys.end(),
                                  [&](const auto& key) { return std::abs(key.time_s - with.playback.time_s()) < 1e-9; });
   row.separate();
-  ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
+  ButtonRow::Button name{"Name##key", {}, "Name the pose of this key"};
   name.enabled = here != keys.end();
   name.does = [&with, named = name.enabled ? here->name : std::string()] {
     with.dialogs.state<KeyNameEntry>().text = named;

@@ -48,7 +48,7 @@ TEST(SidePanel, ARailIsThereAgainAtTheNextStart) {
     desk.click("Close##side");
   }
   Desk desk("rail-again", "builtin:demo", false);
-  if (desk.interface->find("Start anew") != nullptr) desk.click("Start anew");
+  if (desk.interface->find("Start fresh") != nullptr) desk.click("Start fresh");
   EXPECT_NE(desk.interface->find("Open##side"), nullptr);
   EXPECT_EQ(desk.interface->find("##search"), nullptr);
 }
