@@ -83,7 +83,7 @@ int spawn(pid_t& process, const FileActions& actions, const std::vector<std::str
 
 }  // namespace
 
-base::Error given_up() { return {"was given up; nothing was written", "", "begin it again"}; }
+base::Error given_up() { return {"was cancelled; nothing was written", "", "begin it again"}; }
 
 base::Error no_ffmpeg() {
   return {"needs ffmpeg, which is not installed", "", "install the package ffmpeg, or write pictures (.png)"};

@@ -215,7 +215,7 @@ void show_new(PanelContext& context, const ControlsPanelOwners& with) {
   }
   ImGui::SameLine();
   swing_button(context, with, -1);
-  if (wide_button(context, "Give up", -1, false, "Discard the lines of this control (Esc)")) {
+  if (wide_button(context, "Cancel##sketch", -1, false, "Discard the lines of this control (Esc)")) {
     editing.perform(document::CancelDeformer{});
   }
 }

@@ -10,7 +10,7 @@ namespace penpose::app {
 void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
 void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
-                     Dialogs&, PanelState&, PoseShelf&);
+                     Dialogs&, PanelState&, PoseShelf&, Restriction&);
 void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
                    Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&, CameraDesk&);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/app/controls/controls.h"
+#include "ui/app/controls/restriction.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/mouths/kept_mouths.h"
 #include "ui/app/panels/panels.h"
@@ -14,7 +15,7 @@ namespace penpose::app {
 
 /// All parameters, as sliders.
 void show_parameters(PanelContext& context, EditingSession& editing, Controls& controls, Dialogs& dialogs,
-                     PanelState& panels);
+                     PanelState& panels, Restriction& restriction);
 /// The sketched controls, and new ones.
 void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canvas, Controls& controls,
                     Notices& notices, Dialogs& dialogs, PanelState& panels);

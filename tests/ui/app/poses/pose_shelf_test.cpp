@@ -46,8 +46,8 @@ TEST(PoseShelf, TheSliderTakesAShareInTheSameStep) {
   Desk desk("shelf-share");
   keep_smile(desk);
   desk.click("pose 1##kept pose 1.pose.json");
-  const PxPoint half = desk.interface->find("slider share")->middle();
-  desk.drag_slider("share", 0.99, 0.5, false);
+  const PxPoint half = desk.interface->find("slider amount")->middle();
+  desk.drag_slider("amount", 0.99, 0.5, false);
   EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[desk.index_of("mouth_corner_L")], 0.4, 0.03);
   desk.let_go(half);
   EXPECT_NEAR(desk.value_of("mouth_corner_L"), 0.4, 0.03);

@@ -162,7 +162,7 @@ void show_amount(PanelContext& context, const Shelf& with) {
   ImGui::BeginDisabled(file == nullptr || !file->pose);
   bool released = false;
   double amount = shown.blending ? shown.amount : with.poses.amount_of(shown.chosen, choice_of(with)).value_or(0);
-  if (tall_slider(context, "##share", amount, 0, 1, -1, "share", released)) {
+  if (tall_slider(context, "##share", amount, 0, 1, -1, "amount", released)) {
     shown.blending = true;
     shown.amount = amount;
     with.poses.preview(shown.chosen, choice_of(with, amount));

@@ -18,7 +18,7 @@ constexpr float k_sliders = 5.2F, k_least_sliders = 3.6F, k_least_name = 3;
 struct ShownRow {
   const ControlRow& row;
   const ControlRowLook& look;
-  const ControlNames& group;
+  const RowGroup& group;
   const RowOwners& with;
   ControlNames names;
   std::string words;
@@ -146,8 +146,8 @@ float whole_rows_width(const PanelContext& context, float longest) {
   return longest + context.gap + std::max(k_sliders * context.unit, longest + context.gap);
 }
 
-void show_control_row(PanelContext& context, const ControlRow& row, const ControlRowLook& look,
-                      const ControlNames& group, const RowOwners& with) {
+void show_control_row(PanelContext& context, const ControlRow& row, const ControlRowLook& look, const RowGroup& group,
+                      const RowOwners& with) {
   const ShownRow of{row,
                     look,
                     group,

@@ -38,7 +38,7 @@ struct ControlRowLook {
 
 /// Sliders of a row, its name, and on it what else there is to a row: a touch of the name, or a long press anywhere,
 /// opens its menu. `group`: all that are listed with it.
-void show_control_row(PanelContext& context, const ControlRow& row, const ControlRowLook& look,
-                      const ControlNames& group, const RowOwners& with);
+void show_control_row(PanelContext& context, const ControlRow& row, const ControlRowLook& look, const RowGroup& group,
+                      const RowOwners& with);
 
 }  // namespace penpose::app

@@ -26,7 +26,8 @@ struct SidePanelOwners {
   Controls& controls;
   Dialogs& dialogs;
   PanelState& panels;
-  [[nodiscard]] RowOwners rows() const { return {editing, controls, dialogs}; }
+  Restriction& restriction;
+  [[nodiscard]] RowOwners rows() const { return {editing, controls, dialogs, restriction}; }
 };
 
 /// With more parameters than these they stand in groups.
@@ -57,7 +58,7 @@ bool contains(std::string_view name, std::string_view part) {
 
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
 bool group_row(PanelContext& context, const SidePanelOwners& with, const std::string& group, std::size_t rows,
-               const ControlNames& members) {
+               const RowGroup& members) {
   auto& folded = with.panels.own.of<ParameterList>().folded;
   const bool open = !folded.contains(group);
   ImGui::PushID(group.c_str());
@@ -65,7 +66,7 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   const float wide = ImGui::GetContentRegionAvail().x;
   const bool hovered = context.hovers && !context.menu_open && ImGui::IsWindowHovered() &&
                        ImGui::IsMouseHoveringRect(from, {from.x + wide, from.y + context.unit});
-  const float buttons = hovered ? quick_buttons_width(context, with.rows(), members) : 0;
+  const float buttons = hovered ? quick_buttons_width(context, with.rows(), members.names) : 0;
   const std::string label = (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(rows) + "##group " + group;
   ButtonLook look{wide - buttons, false, open ? "Fold this group; a long press opens its menu" : "Unfold this group"};
   look.left_aligned = true;
@@ -76,7 +77,7 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   if (pressed && !open) folded.erase(group);
   if (hovered) {
     ImGui::SameLine(0, 0);
-    show_quick_buttons(context, with.rows(), members, "group " + group);
+    show_quick_buttons(context, with.rows(), members.names, "group " + group);
   }
   show_group_menu(context, with.rows(), members);
   ImGui::PopID();
@@ -177,15 +178,15 @@ class GroupedRows {
 
   /// `title`: empty: rows without a group.
   void show(const std::string& title, std::span<const ControlRow> rows) {
-    ControlNames members;
+    RowGroup group{{}, title == "Moved" ? "what is moved" : base::lower_case(title)};
     for (const ControlRow& row : rows) {
-      for (std::string& name : names_in(row, rig_->parameters())) members.push_back(std::move(name));
+      for (std::string& name : names_in(row, rig_->parameters())) group.names.push_back(std::move(name));
     }
     if (rows.empty() || !same_rig()) return;
-    if (!title.empty() && !group_row(context_, with_, title, rows.size(), members)) return;
+    if (!title.empty() && !group_row(context_, with_, title, rows.size(), group)) return;
     ImGui::PushID(title.c_str());
     for (const ControlRow& row : rows) {
-      if (same_rig()) show_control_row(context_, row, look_, title.empty() ? ControlNames() : members, with_.rows());
+      if (same_rig()) show_control_row(context_, row, look_, title.empty() ? RowGroup() : group, with_.rows());
     }
     ImGui::PopID();
   }
@@ -253,8 +254,8 @@ void show_list(PanelContext& context, const SidePanelOwners& with) {
 }  // namespace
 
 void show_parameters(PanelContext& context, EditingSession& editing, Controls& controls, Dialogs& dialogs,
-                     PanelState& panels) {
-  const SidePanelOwners with{editing, controls, dialogs, panels};
+                     PanelState& panels, Restriction& restriction) {
+  const SidePanelOwners with{editing, controls, dialogs, panels, restriction};
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float moved = button_width(context, "Moved", {}, true);
   text_field(context, "##search", panels.own.of<ParameterList>().filter,

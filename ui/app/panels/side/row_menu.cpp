@@ -36,17 +36,21 @@ void type_entry(PanelContext& context, const RowOwners& with, const std::string&
   with.dialogs.show(Dialog::number);
 }
 
-/// Strokes for some controls alone.
-void restrict_entries(PanelContext& context, const RowOwners& with, const ControlNames& group) {
-  if (group.empty()) return;
-  const bool only = only_free(with.editing, group);
-  if (row_entry(context, only ? "All groups again##group" : "Only this group##group", k_only,
-                only ? "The other groups are free again" : "All others are locked: strokes move this group alone"))
-    free_alone(with.editing, group);
-  const bool locked = all_locked(with.editing, group);
-  if (row_entry(context, locked ? "This group again##group" : "Not this group##group", k_not,
-                locked ? "The group is free again" : "The group is locked: strokes move the others alone"))
-    lock_parameters(with.editing, group, !locked);
+/// Lines and pulls for this group alone, or for all others.
+void restrict_entries(PanelContext& context, const RowOwners& with, const RowGroup& group) {
+  if (group.names.empty()) return;
+  if (with.restriction.is_only(group.names)) {
+    if (row_entry(context, "All groups again##group", k_only, "Lines and pulls may move the other groups again"))
+      with.restriction.lift();
+  } else if (row_entry(context, "Only this group##group", k_only, "Lines and pulls move this group alone")) {
+    with.restriction.only(group.names, group.words);
+  }
+  if (all_locked(with.editing, group.names)) {
+    if (row_entry(context, "This group again##group", k_not, "Lines and pulls may move this group again"))
+      with.restriction.lift();
+  } else if (row_entry(context, "Not this group##group", k_not, "Lines and pulls leave this group alone")) {
+    with.restriction.without(group.names, group.words);
+  }
 }
 
 void pair_entries(PanelContext& context, const RowOwners& with, const std::string& left, const std::string& right) {
@@ -77,44 +81,13 @@ bool is_sketched(const EditingSession& editing, const std::string& name) {
   return deformers && articulation::find_deformer(*deformers, name).has_value();
 }
 
-namespace {
-
-ControlNames others_of(const EditingSession& editing, const ControlNames& names) {
-  ControlNames others;
-  for (const auto& parameter : editing.document().model->rig->parameters()) {
-    if (std::find(names.begin(), names.end(), parameter.name) == names.end()) others.push_back(parameter.name);
-  }
-  std::sort(others.begin(), others.end());
-  return others;
-}
-
-}  // namespace
-
-bool only_free(const EditingSession& editing, const ControlNames& names) {
-  const ControlNames others = others_of(editing, names);
-  return !others.empty() && editing.document().locked == others;
-}
-
-void free_alone(EditingSession& editing, const ControlNames& names) {
-  const ControlNames others = others_of(editing, names);
-  if (only_free(editing, names)) {
-    editing.perform(document::LockParameters{others, false});
-    return;
-  }
-  ControlNames locked_here;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(locked_here),
-               [&](const std::string& name) { return is_locked(editing, name); });
-  if (!editing.perform(document::LockParameters{others, true})) return;
-  if (!locked_here.empty()) editing.perform_with(document::LockParameters{locked_here, false});
-}
-
 void ask_for_menu(PanelContext& context, const char* name, bool pressed) {
   const bool held = context.long_press && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
   if (held) context.takes_long_press = true;
   if (held || pressed) ImGui::OpenPopup(name);
 }
 
-void show_row_menu(PanelContext& context, const RowOwners& with, const ControlNames& row, const ControlNames& group) {
+void show_row_menu(PanelContext& context, const RowOwners& with, const ControlNames& row, const RowGroup& group) {
   if (!begin_menu(context, "row")) return;
   const bool pair = row.size() == 2;
   if (pair) {
@@ -143,11 +116,11 @@ void show_row_menu(PanelContext& context, const RowOwners& with, const ControlNa
   ImGui::EndPopup();
 }
 
-void show_group_menu(PanelContext& context, const RowOwners& with, const ControlNames& group) {
+void show_group_menu(PanelContext& context, const RowOwners& with, const RowGroup& group) {
   if (!begin_menu(context, "group")) return;
-  lock_entry(context, with, group, "all of it");
+  lock_entry(context, with, group.names, "all of it");
   if (row_entry(context, "Reset##reset group", icon::k_back, "Reset the whole group to rest"))
-    with.editing.perform(document::ResetParameters{group});
+    with.editing.perform(document::ResetParameters{group.names});
   restrict_entries(context, with, group);
   ImGui::EndPopup();
 }

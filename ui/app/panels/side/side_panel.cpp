@@ -73,7 +73,7 @@ void show_tabs(PanelContext& context, PanelState& panels) {
 
 void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
                      Controls& controls, Playback& playback, Notices& notices, KeptMouths& mouths, Dialogs& dialogs,
-                     PanelState& panels, PoseShelf& shelf) {
+                     PanelState& panels, PoseShelf& shelf, Restriction& restriction) {
   if (begin_panel(context, "side", area, true)) {
     if (panels.controls_tab) panels.poses_tab = panels.mouths_tab = false;
     if (!panels.side_open()) {
@@ -87,7 +87,7 @@ void show_side_panel(PanelContext& context, const Area& area, EditingSession& ed
       } else if (panels.controls_tab) {
         show_deformers(context, editing, canvas, controls, notices, dialogs, panels);
       } else {
-        show_parameters(context, editing, controls, dialogs, panels);
+        show_parameters(context, editing, controls, dialogs, panels, restriction);
       }
     }
   }
