@@ -96,7 +96,7 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
   desk.set("mouth_corner_L", 0.5);
   desk.click("Suggest");
   ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
-  const Area* found = desk.interface->find("slider how much of it");
+  const Area* found = desk.interface->find("slider amount");
   ASSERT_NE(found, nullptr);
   const Area slider = *found;
   const auto pull_to = [&](double share) {
