@@ -38,7 +38,7 @@ std::string refusal(const std::vector<std::uint8_t>& bytes) {
 }
 
 /// The file with another text in place of one of the same length.
-std::vector<std::uint8_t> changed(const std::string& from, const std::string& to) {
+std::vector<std::uint8_t> changed_bytes(const std::string& from, const std::string& to) {
   const auto bytes = *write_cast(three());
   std::string text(bytes.begin(), bytes.end());
   const std::size_t at = text.find(from);
@@ -81,15 +81,15 @@ TEST(CastFile, OtherReadersOpenTheFirstCharacter) {
 
 TEST(CastFile, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal(small_file("{}  ")), ": this is no project of several characters");
-  EXPECT_EQ(refusal(changed("\"active\":2", "\"active\":3")), "/active: the number of a character was expected");
-  EXPECT_EQ(refusal(changed("\"penpose_cast\":1", "\"penpose_cast\":7")),
+  EXPECT_EQ(refusal(changed_bytes("\"active\":2", "\"active\":3")), "/active: the number of a character was expected");
+  EXPECT_EQ(refusal(changed_bytes("\"penpose_cast\":1", "\"penpose_cast\":7")),
             "/penpose_cast: characters of format 7, this program reads 1");
-  EXPECT_EQ(refusal(changed("\"scale\":1.5", "\"scale\":0.0")),
+  EXPECT_EQ(refusal(changed_bytes("\"scale\":1.5", "\"scale\":0.0")),
             "/characters/1/scale: a number from 0.000001 to 1000000 was expected");
-  EXPECT_EQ(refusal(changed("-2.0,0.25]", "-2.0,\"25\"]")), "/characters/1/at: three numbers were expected");
-  EXPECT_EQ(refusal(changed("\"name\":\"Ben\"", "\"name\":12345")),
+  EXPECT_EQ(refusal(changed_bytes("-2.0,0.25]", "-2.0,\"25\"]")), "/characters/1/at: three numbers were expected");
+  EXPECT_EQ(refusal(changed_bytes("\"name\":\"Ben\"", "\"name\":12345")),
             "/characters/1/name: a name of 1 to 100 bytes was expected");
-  EXPECT_EQ(refusal(changed("\"bytes\":28", "\"bytes\":99")),
+  EXPECT_EQ(refusal(changed_bytes("\"bytes\":28", "\"bytes\":99")),
             "/characters/1/bytes: the file of the character is cut off");
 }
 

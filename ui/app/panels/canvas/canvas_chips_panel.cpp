@@ -111,7 +111,7 @@ double show_restriction(PanelContext& context, const Area& free, const std::stri
   if (bottom > free.bottom) return top;
   if (begin_panel(context, "restriction", {left, top, left + width + 1, bottom})) {
     if (icon_button(context, label.c_str(),
-                    {0, true, "Lines and pulls move nothing else. Touch to free all controls", icon::k_cross}))
+                    {0, true, "Only these controls move. Touch to let all move again", icon::k_cross}))
       restriction.lift();
     note(context, "restriction");
   }

@@ -134,7 +134,7 @@ void show_quick_buttons(PanelContext& context, const RowOwners& with, const Cont
                         const std::string& label) {
   const bool locked = all_locked(with.editing, names);
   if (lock_button(context, ("##lock " + label).c_str(), locked,
-                  locked ? "Locked: neither a stroke nor a slider moves it. Touch to free it"
+                  locked ? "Locked: nothing moves it. Touch to unlock"
                          : "Lock: no line moves it; the last line is solved again without it"))
     lock_parameters(with.editing, names, !locked);
   ImGui::SameLine(0, 0);
