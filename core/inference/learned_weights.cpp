@@ -1,4 +1,4 @@
-// Written by tests/learn/learn for edition 10; do not edit.
+// Written by tests/learn/learn for edition 11; do not edit.
 // Rigs: those of tests/judges/rigs/seen and random rigs of the seeds 1 to 32.
 // rigs left out      loss 0.362, likeliest reading right in 87.4 % of 8392 cases,
 // learned            loss 0.326, likeliest reading right in 88.8 % of 8392 cases.

@@ -62,7 +62,7 @@ TEST(SessionLine, ThereAreNoMoreThanFourLights) {
 
 TEST(SessionLine, IsWrittenAsTheFormatSays) {
   EXPECT_EQ(to_text(LightsSeen{7, {2, 0}}), "penpose lights 7 left=2");
-  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session edition=10 program=penpose");
+  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session edition=11 program=penpose");
   EXPECT_EQ(to_text(ModelNamed{{1, 2}, "head.glb"}), "penpose model 00000000000000010000000000000002 path=head.glb");
   EXPECT_EQ(to_text(Performed{document::DeleteKeys{{{1.5}, {}}}}), "penpose do delete_keys times_s=1.5");
   EXPECT_EQ(to_text(PenPlace{false}), "penpose panel");

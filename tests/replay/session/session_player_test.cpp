@@ -132,7 +132,7 @@ TEST(SessionPlayer, RefusesAModelThatIsMissing) {
 
 TEST(SessionPlayer, RefusesAnotherVersionByName) {
   std::string text = small_session().text();
-  text.replace(text.find("edition=10"), 10, "edition=1");
+  text.replace(text.find("edition=11"), 10, "edition=1");
   const auto played = play(text);
   ASSERT_FALSE(played);
   EXPECT_EQ(played.error().place, "line 1");

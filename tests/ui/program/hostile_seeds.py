@@ -20,7 +20,7 @@ CURVES = {'curves': {'a': {'vertices': [0, 1, 2, 3]}, 'b': {'vertices': [30, 31,
 CAMERA = {'eye': [15, 2, 60], 'look_at': [15, 2, 0], 'up': [0, 1, 0], 'vertical_fov_degrees': 30}
 LABELS = {'frames': [{'image': name, 'curves': {'m': [[4, 4], [12, 7 + 3 * k], [20, 5 + k]]}} for k, name in enumerate(('a.pgm', 'b.pgm'))],
           'features': [['m']]}
-SESSION = ('# penpose session edition=10 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n'
+SESSION = ('# penpose session edition=11 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n'
            '# penpose do set_key time_s=0\n# penpose do set_time time_s=1\n# penpose do set_key time_s=1\n')
 # A tablet whose string tells it from others with its ids, and a stroke of it.
 STRINGS = SESSION + 'D: 0\nN: Tablet\nI: 3 256c 006e\n# string 201: "HUION_T173_200101"\n# string 2: "a \\"b\\""\n' + ''.join(

@@ -16,7 +16,7 @@ PENPOSE = os.path.abspath(sys.argv.pop(1))
 CASES = ('{"cases": [{"name": "a", "references": [{"vertices": [0, 1, 2], "target": [[0, 0, 0], [0.1, 0, 0], [0.2, 0.1, 0]]}]}]}')
 TRACK = '{"fps":25,"frames":[%s]}' % ','.join(
     '{"curves":{"brow_R":[%s]}}' % ','.join('[%d,%d]' % (100 + 10 * i, 100 + k) for i in range(5)) for k in range(3))
-SESSION = '# penpose session edition=10 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n# penpose do set_key time_s=0\n'
+SESSION = '# penpose session edition=11 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n# penpose do set_key time_s=0\n'
 
 
 class Limits(unittest.TestCase):

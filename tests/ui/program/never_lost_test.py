@@ -15,7 +15,7 @@ import unittest
 import hostile_seeds
 
 PENPOSE = os.path.abspath(sys.argv.pop(1))
-SESSION = '# penpose session edition=10 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=%s\n# penpose do set_key time_s=0\n'
+SESSION = '# penpose session edition=11 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=%s\n# penpose do set_key time_s=0\n'
 SOON_S = 20  # nothing here computes for long; what waits, waits for ever
 
 

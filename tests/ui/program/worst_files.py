@@ -192,7 +192,7 @@ def many_labels(folder, count=2000):
 def many_keys(folder, count=20000):
     path = os.path.join(folder, 'keys.session')
     with open(path, 'w') as f:
-        f.write('# penpose session edition=10 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n')
+        f.write('# penpose session edition=11 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n')
         f.write(''.join('# penpose do set_key time_s=%d\n' % i for i in range(count)))
     return ['replay', path], [path]
 
@@ -201,7 +201,7 @@ def huge_view(folder):
     path = os.path.join(folder, 'view.session')
     camera = 'view 0,0,0.6/0,0,0/0,1,0/20/8192x8192'
     with open(path, 'w') as f:
-        f.write('# penpose session edition=10 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n'
+        f.write('# penpose session edition=11 program=test\n# penpose model 0c1ed05de4985a1fef6863dc35986e2d path=builtin%3Ahead\n'
                 '# penpose ' + camera + '\n')
     return ['replay', path, '--png', os.path.join(folder, 'view.png')], [path]
 

@@ -71,7 +71,7 @@ TEST_F(SessionFiles, OneThatCannotBeReadToItsEndIsKept) {
 TEST_F(SessionFiles, APipeInPlaceOfANoteHoldsNothingUp) {
   std::filesystem::create_directories(folder_);
   const std::string path = folder_ + "/odd.session";
-  std::ofstream(path) << "# penpose session edition=10 program=test\n# penpose state 00\n";
+  std::ofstream(path) << "# penpose session edition=11 program=test\n# penpose state 00\n";
   ASSERT_EQ(::mkfifo((path + ".open").c_str(), 0600), 0);
   EXPECT_EQ(abandoned_sessions(folder_).size(), 1U);
   EXPECT_EQ(project_of_session(path), "");

@@ -72,7 +72,7 @@ TEST(SessionPlay, WhatWasRecordedIsComeToAndNothingIsSaid) {
 
 TEST(SessionPlay, AnotherEditionIsRefusedByItsProgramsName) {
   const Played played =
-      play("play-version", replaced(recorded("play-recorded"), "penpose session edition=10", "penpose session 9"));
+      play("play-version", replaced(recorded("play-recorded"), "penpose session edition=11", "penpose session 9"));
   ASSERT_FALSE(played.status);
   EXPECT_NE(played.status.error().what.find("another edition"), std::string::npos) << played.status.error().line();
   EXPECT_EQ(played.status.error().place, "line 1");

@@ -12,7 +12,7 @@ namespace penpose::app {
 namespace {
 
 constexpr const char* k_model =
-    "# penpose session edition=10 program=hand\n# penpose model d9eb8e7c2a4ecb586c0633356794d8da path=builtin%3Ademo\n";
+    "# penpose session edition=11 program=hand\n# penpose model d9eb8e7c2a4ecb586c0633356794d8da path=builtin%3Ademo\n";
 
 TEST(Tour, EveryBundledTourIsASessionThatReplaysToItsStates) {
   for (const std::string_view name : k_tours) {

@@ -106,7 +106,7 @@ TEST_F(SuggestCommand, WhatCannotBeDoneIsOneLineWithARemedy) {
   fails({path("faces.glb"), "--hold", "mouth*"}, "faces.glb", "that begins so");
   fails({path("faces.glb"), "--set", "shape0=7"}, "faces.glb", "out of range");
   fails({path("faces.glb"), "--keys", path("none.glb"), "--set", "shape0=1"}, "none.glb", "cannot be opened");
-  save("broken.session", std::string("# penpose session edition=10 program=test\n"));
+  save("broken.session", std::string("# penpose session edition=11 program=test\n"));
   fails({path("broken.session")}, "broken.session", "");
   for (const char* strength : {"1.5", "nan", "-0.1"}) {
     EXPECT_EQ(run({"suggest", path("faces.glb"), "--strength", strength, "--set", "shape0=1"}), k_wrong_usage);
