@@ -61,7 +61,6 @@ TEST_P(PullsFeature, FollowsThePenWithoutAnyLineDrawnAndIsKeyed) {
   const PxPoint there = on_feature(desk, feature, share);
   const PxPoint moved = there - at;
   const double along = (moved.x * dx + moved.y * dy) / std::hypot(dx, dy);
-  std::printf("%s: pulled %.1f px, followed %.1f\n", feature, std::hypot(dx, dy), along);
   EXPECT_GT(along, 0.5 * std::hypot(dx, dy)) << "the face follows";
   desk.let_go(at + PxPoint{dx, dy});
   EXPECT_GE(key_count(desk), 2U);
@@ -69,11 +68,12 @@ TEST_P(PullsFeature, FollowsThePenWithoutAnyLineDrawnAndIsKeyed) {
   EXPECT_TRUE(desk.document().curves.empty()) << "and nothing is drawn";
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheFace, PullsFeature,
-                         testing::Values(std::tuple{"brow_L", 0.5, 0.0, -12.0}, std::tuple{"jaw", 0.5, 0.0, 20.0},
-                                         std::tuple{"lip_lower", 0.5, 0.0, 14.0},
-                                         std::tuple{"eyelid_upper_R", 0.5, 0.0, 8.0},
-                                         std::tuple{"lip_upper", 0.02, 4.0, -10.0}));
+INSTANTIATE_TEST_SUITE_P(
+    OfTheFace, PullsFeature,
+    testing::Values(std::tuple{"brow_L", 0.5, 0.0, -12.0}, std::tuple{"jaw", 0.5, 0.0, 20.0},
+                    std::tuple{"lip_lower", 0.5, 0.0, 14.0}, std::tuple{"eyelid_upper_R", 0.5, 0.0, 8.0},
+                    std::tuple{"lip_upper", 0.02, -4.0, -10.0}, std::tuple{"lip_upper", 0.98, 4.0, -10.0},
+                    std::tuple{"lip_upper", 0.5, 0.0, -6.0}, std::tuple{"lip_lower", 0.02, -4.0, -10.0}));
 
 TEST(Performer, ArmsRecordsAndIsDone) {
   Desk desk("states");
@@ -159,10 +159,10 @@ TEST(Performer, APointBesideAllFeaturesIsPulledToo) {
   Desk desk("cheek");
   desk.begin();
   desk.press(k_shift_space, false, true);
-  // Between the corner of the mouth and the ear.
-  const PxPoint corner = on_feature(desk, "lip_upper", 0);
-  const PxPoint at = corner + PxPoint{corner.x < on_feature(desk, "lip_upper").x ? -38.0 : 38.0, -14};
-  pull(desk, at, {{0, -14}, 40});
+  // The chin, between the lip and the jaw's line.
+  const PxPoint lip = on_feature(desk, "lip_lower");
+  const PxPoint at = lip * 0.5 + on_feature(desk, "jaw") * 0.5;
+  pull(desk, at, {{0, 14}, 40});
   EXPECT_GE(key_count(desk), 2U);
 }
 

@@ -13,11 +13,11 @@ namespace {
 TEST(ToolInHand, EveryToolWithAButtonHasItsWordsAndAKeyOfItsOwn) {
   std::set<std::uint32_t> keys;
   for (const WindowTool& tool : window_tools()) {
-    EXPECT_NE(tool.hint, nullptr) << tool.button.label;
+    EXPECT_TRUE(tool.hint != nullptr || tool.shows_ghosts) << tool.button.label << ": what is drawn on says it";
     if (tool.button.label.empty()) continue;
     EXPECT_EQ(info({tool.button.action}).tool, &tool) << tool.button.label << " is an action, too";
     EXPECT_FALSE(tool.button.tip.empty() || tool.button.icon.empty()) << tool.button.label;
-    EXPECT_TRUE(tool.draws() || tool.selects || tool.pulls) << tool.button.label << " does nothing";
+    EXPECT_TRUE(tool.draws() || tool.selects || tool.pulls || tool.places) << tool.button.label << " does nothing";
     EXPECT_TRUE(keys.insert(tool.button.key.key).second) << tool.button.label;
   }
 }

@@ -81,7 +81,7 @@ TEST(MirroredKeys, WhereBothSidesAreTheSameNothingIsDone) {
   const auto before = desk.document().timeline;
   desk.app->of<Actions>().run(Action{"mirror_keys"});
   EXPECT_EQ(desk.document().timeline, before);
-  EXPECT_TRUE(desk.says("nothing to exchange"));
+  EXPECT_TRUE(desk.says("nothing to flip"));
 }
 
 }  // namespace
