@@ -141,7 +141,7 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   const auto open = [&] {
     desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
     desk.frames();
-    desk.click("row jaw");
+    desk.touch_row("name jaw");
     desk.click("Type a value##type jaw");
   };
   open();
@@ -167,6 +167,7 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   Desk desk("keys");
   desk.begin();
   desk.click("Key");
+  desk.click("More##more of time");
   desk.click("Name##key");
   desk.click("##key name");
   desk.click("key s");
@@ -195,14 +196,19 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   EXPECT_EQ(desk.document().pose, pose);
   // Nearer and farther.
   const double all = desk.app->of<PanelState>().own.of<TimelineShown>().span_s;
+  desk.click("More##more of time");
   desk.click("Zoom in##track");
   EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, all);
   const double from = desk.app->of<PanelState>().own.of<TimelineShown>().from_s;
+  desk.click("More##more of time");
   desk.click("Back##track");
   EXPECT_LT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from);
-  desk.click("On##track");
-  desk.click("On##track");
+  for (int i = 0; i < 2; ++i) {
+    desk.click("More##more of time");
+    desk.click("On##track");
+  }
   EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from) << "also away from the cursor";
+  desk.click("More##more of time");
   desk.click("Zoom out##track");
   EXPECT_EQ(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, 0);
 }

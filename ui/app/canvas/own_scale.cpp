@@ -25,8 +25,8 @@ double own_scale(const SystemScale& system) {
   constexpr double k_chosen = 1.01;
   if (system.px_a_unit >= k_chosen && heeded(system.px_a_unit)) return system.px_a_unit;
   if (heeded(system.toolkits)) return system.toolkits;
-  // Servers say 96 unless they are told otherwise, give or take a millimetre.
-  constexpr double k_rounding_dpi = 2;
+  // Servers say 96 or, as Xvfb does, 100 unless they are told otherwise, give or take a millimetre.
+  constexpr double k_rounding_dpi = 6;
   const double server = system.server_dpi / k_scale_one_dpi;
   return heeded(server) && std::abs(system.server_dpi - k_scale_one_dpi) > k_rounding_dpi ? server : 0;
 }
@@ -37,7 +37,8 @@ double dpi_of(int px, int millimetres) {
 }
 
 int opened_px(int usual, double scale, int all) {
-  return std::min(all, static_cast<int>(std::lround(usual * (heeded(scale) ? scale : 1))));
+  // In quarters: displays of 90 or 100 dpi are ordinary ones.
+  return std::min(all, static_cast<int>(std::lround(usual * (heeded(scale) ? std::round(4 * scale) / 4 : 1))));
 }
 
 std::optional<double> xft_dpi(std::string_view resources) {

@@ -19,13 +19,14 @@ struct SystemScale {
 /// Px of the display for each px of an ordinary one, as the system wants it; 0: it says nothing, and the display's
 /// density says it. X resources come first, then the compositor, then the toolkits' variables, then what the X server
 /// was started with. What is out of 0.5..4 is not heeded, nor is what nobody has chosen: a compositor's 1, a server's
-/// 96.
+/// 96 or 100.
 [[nodiscard]] double own_scale(const SystemScale& system);
 
 /// Px per inch of so many px in so many millimetres; 0 where either is none.
 [[nodiscard]] double dpi_of(int px, int millimetres);
 
-/// Px of a window that is opened in a place of `all` px: `usual` ones at a scale, and no more than there are.
+/// Px of a window that is opened in a place of `all` px: `usual` ones at the nearest quarter of a scale, and no more than
+/// there are.
 [[nodiscard]] int opened_px(int usual, double scale, int all);
 
 /// The value of "Xft.dpi" in X resources, "NAME:<tab>VALUE" lines of which the last one counts; nothing where there is

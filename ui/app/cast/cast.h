@@ -35,7 +35,9 @@ struct Character {
 class Cast {
  public:
   Cast(EditingSession& editing, Recording& recording, Canvas& canvas)
-      : editing_(editing), recording_(recording), canvas_(canvas) {}
+      : editing_(editing), recording_(recording), canvas_(canvas) {
+    members_.push_back(std::make_unique<Character>());
+  }
   ~Cast() { end_others(); }
   Cast(const Cast&) = delete;
   Cast& operator=(const Cast&) = delete;

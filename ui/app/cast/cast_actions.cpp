@@ -47,7 +47,7 @@ constexpr std::array k_cast_actions{
      "M2 12L7 7L12 6L17 7L22 12L17 17L12 18L7 17ZM4 4L20 20", does<show_or_hide_others>, are_several},
     ActionInfo{{"stand_beside"}, "Stand beside", {}, {}, "Put the character beside the others again",
      "C7 9 3M2 19A7 19 5 180 360C17 9 3M12 19A17 19 5 180 360M12 3L12 7",
-     does([](Cast& cast) { cast.place_beside(cast.active()); }), are_several},
+     does([](Cast& cast) { if (cast.several()) cast.place_beside(cast.active()); }), are_several},
     ActionInfo{{"remove_character"}, "Take the character away", {}, {},
      "Take the character that is worked on out of the project", "C9 8 4M2 20A9 20 7 180 360M15 12L23 12",
      does([](Files& files, Cast& cast) { files.remove(cast.active()); }), are_several},

@@ -45,8 +45,8 @@ void show_readings(PanelContext& context, const Area& /*area*/, EditingSession& 
   auto& place = context.own.of<ReadingsPlace>();
   place.area.reset();
   panels.face_pictures = offer.open();
-  // An open menu of a line shows them itself.
-  if (!offer.open() || panels.face_line_asked(editing.document())) return;
+  // An open menu of a line shows them itself, and no other menu is to lie under them.
+  if (!offer.open() || panels.curve_menu || panels.face_line_asked(editing.document())) return;
   const Area free = canvas.free_area();
   const auto gap = static_cast<double>(context.gap);
   const auto size = face_readings_size(context, offer, static_cast<float>(free.width() - 2 * gap),

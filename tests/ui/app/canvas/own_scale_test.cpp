@@ -33,7 +33,7 @@ TEST(OwnScale, WhatTheServerWasStartedWithCountsWhereNobodyElseSaysAnything) {
   EXPECT_DOUBLE_EQ(own_scale({.text_dpi = 144, .server_dpi = 192}), 1.5);
   EXPECT_DOUBLE_EQ(own_scale({.px_a_unit = 2, .server_dpi = 144}), 2);
   EXPECT_DOUBLE_EQ(own_scale({.toolkits = 3, .server_dpi = 192}), 3);
-  for (const double unchosen : {96.0, 95.9, 97.2, 0.0, 5.0, 2000.0})
+  for (const double unchosen : {96.0, 95.9, 97.2, 100.0, 0.0, 5.0, 2000.0})
     EXPECT_DOUBLE_EQ(own_scale({.server_dpi = unchosen}), 0) << unchosen;
   EXPECT_NEAR(dpi_of(3840, 508), 192, 0.5);
   EXPECT_DOUBLE_EQ(dpi_of(1920, 0), 0) << "a screen without a size";

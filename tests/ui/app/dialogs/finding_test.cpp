@@ -31,7 +31,7 @@ TEST(Finding, ActionsControlsPosesAndFilesAreFound) {
   EXPECT_EQ(first("brow_inner_l").kind, Kind::control);
   EXPECT_EQ(first("smile big").kind, Kind::pose) << "words in any order";
   EXPECT_EQ(first("grin").kind, Kind::file);
-  EXPECT_EQ(first("mirror").action, Action::mirror_strokes);
+  EXPECT_EQ(first("x-mirror").action, Action::mirror_strokes);
   EXPECT_TRUE(found_at(desk, "no such thing").empty());
 }
 

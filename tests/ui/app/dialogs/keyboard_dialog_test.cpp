@@ -100,7 +100,7 @@ TEST(KeyboardDialog, NoModifierAloneIsAKeyAndEscapeIsNobodysElse) {
   EXPECT_TRUE(desk.app->of<Dialogs>().state<KeyAsked>().waits) << "Ctrl alone";
   desk.hit(k_any, 'w', true, true);
   EXPECT_EQ(kept_keys(desk).shortcut_of(Action::wireframe), "Ctrl+Shift+W");
-  search(desk, "give up what");
+  search(desk, "cancel the line");
   desk.click("Esc###key 0 cancel");
   EXPECT_FALSE(desk.app->of<Dialogs>().state<KeyAsked>().waits);
 }

@@ -209,7 +209,7 @@ TEST_F(FilmDesk, CancelGivesUpAndLeavesNothing) {
   EXPECT_TRUE(writer().writes()) << "a key that closes things does not throw it away";
   desk_.click("Cancel##film progress");
   ASSERT_TRUE(wait());
-  EXPECT_EQ(said().text.substr(0, 9), "given up:");
+  EXPECT_EQ(said().text.substr(0, 9), "cancelled");
   EXPECT_EQ(files_in(desk_.path("Videos")), 0U);
 }
 

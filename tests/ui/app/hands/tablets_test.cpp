@@ -23,7 +23,7 @@ TEST(Tablets, WhereNoneCanBeWatchedItIsToldAndTheMouseDraws) {
   ASSERT_FALSE(desk.app->of<Notices>().all().empty());
   EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
   EXPECT_EQ(desk.app->of<Notices>().all().back().text,
-            "No tablet can be seen, only mouse and touch draw: udev gives no events; start udev");
+            "No tablet found; draw with the mouse or by touch: udev gives no events; start udev");
   desk.stroke(desk.named_curve(any_curve(desk)));
   EXPECT_EQ(desk.document().curves.size(), 1U);
 }

@@ -10,7 +10,7 @@ namespace {
 void open_number(Desk& desk) {
   desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
   desk.frames();
-  desk.click("row jaw");
+  desk.touch_row("name jaw");
   desk.click("Type a value##type jaw");
 }
 
@@ -57,6 +57,7 @@ TEST(Keyboard, ReturnTakesAKeysNameAndEscapeForgetsIt) {
   Desk desk("type-name");
   desk.begin();
   desk.hit(12, 'i');
+  desk.click("More##more of time");
   desk.click("Name##key");
   desk.frames(2);
   EXPECT_TRUE(desk.interface->wants_keys()) << "the field has the keyboard when it opens";
@@ -65,6 +66,7 @@ TEST(Keyboard, ReturnTakesAKeysNameAndEscapeForgetsIt) {
   EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
+  desk.click("More##more of time");
   desk.click("Name##key");
   desk.type("grin");
   desk.hit_escape();

@@ -21,7 +21,7 @@ TEST(Sides, LeftAndRightStandInOneRow) {
   const double range = brow.maximum - brow.minimum;
   EXPECT_NEAR(desk.value_of("brow_inner_R"), brow.minimum + 0.8 * range, 0.05 * range);
   EXPECT_EQ(desk.value_of("brow_inner_L"), 0);
-  desk.click("row brow_inner_L");
+  desk.touch_row("name brow_inner_L");
   desk.click("Right to left##pair");
   EXPECT_EQ(desk.value_of("brow_inner_L"), desk.value_of("brow_inner_R"));
 }
@@ -31,14 +31,14 @@ TEST(Sides, ALockedSliderDoesNotMove) {
   desk.begin();
   desk.app->of<Pointer>().resized({1280, 1400}, 96);  // so that the list shows it
   desk.frames(2);
-  desk.hover("row jaw");
+  desk.hover("name jaw");
   desk.click("##lock jaw");
   const auto state = desk.app->of<EditingSession>().state();
   desk.drag_slider("jaw", 0.3, 0.9);
   EXPECT_EQ(desk.value_of("jaw"), 0);
   EXPECT_FALSE(desk.app->of<EditingSession>().shown().previews());
   EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
-  desk.hover("row jaw");
+  desk.hover("name jaw");
   desk.click("##lock jaw");
   desk.drag_slider("jaw", 0.3, 0.9);
   EXPECT_GT(desk.value_of("jaw"), 0.5);

@@ -126,7 +126,7 @@ TEST(Sheet, SelectedKeysAreDeletedAndChangedInKind) {
 TEST(Sheet, ANameTouchedSelectsAllKeysOfItsControl) {
   SheetDesk desk("sheet-name");
   desk.press('t');
-  desk.click("row jaw");
+  desk.touch_row("row jaw");
   EXPECT_EQ(desk.app->of<Keys>().selected().size(), 4U);
   desk.touch(desk.on_row("row jaw", 0.5));
   EXPECT_TRUE(desk.app->of<Keys>().selected().empty());
@@ -144,7 +144,7 @@ TEST(Sheet, ThousandsOfKeysAreShownAndSelected) {
   desk.perform(many);
   desk.frames();
   desk.press('t');
-  desk.click("row brow_inner_L");
+  desk.touch_row("row brow_inner_L");
   EXPECT_EQ(desk.app->of<Keys>().selected().size(), 6000U);
   desk.press('t', false, true);
   desk.frames();

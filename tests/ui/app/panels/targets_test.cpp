@@ -20,7 +20,8 @@ class Targets : public ::testing::Test {
   void expect_large(const std::string& where) {
     EXPECT_FALSE(desk.interface->targets().empty()) << where;
     for (const auto& [label, area] : desk.interface->targets()) {
-      // One is told once, wherever it stands.
+      // Numbers at an axis are read alone. One is told once, wherever it stands.
+      if (label.starts_with("axis ") && label.size() > 6) continue;
       if (std::min(area.width(), area.height()) >= static_cast<double>(k_least_target_px) || !told.insert(label).second)
         continue;
       ADD_FAILURE() << label << ": " << area.width() << " x " << area.height() << " px, " << where;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <memory>
 #include <thread>
 
 #include "tests/support/app_desk.h"
@@ -25,13 +26,15 @@ void write_reference(const std::string& path, std::uint8_t value) {
 std::string project_with_reference(Desk& desk) {
   write_reference(desk.path("face.png"), 9);
   desk.app->of<ReferenceDesk>().open(desk.path("face.png"));
+  desk.frames();
   const std::string project = desk.path("shot.glb");
   EXPECT_TRUE(desk.app->of<Files>().save(project).ok());
   return project;
 }
 
 TEST(ReferenceDesk, WhatIsPlacedIsAStepAndKeptByTheProjectByItsName) {
-  Desk desk("reference");
+  auto first = std::make_unique<Desk>("reference");
+  Desk& desk = *first;
   desk.begin();
   const std::string project = project_with_reference(desk);
   ASSERT_NE(desk.document().reference, nullptr);
@@ -48,6 +51,7 @@ TEST(ReferenceDesk, WhatIsPlacedIsAStepAndKeptByTheProjectByItsName) {
   desk.app->of<Playback>().undo();
   desk.frames();
   EXPECT_NE(desk.app->of<CanvasLook>().backdrop, nullptr);
+  first.reset();
   Desk again("reference-again", project);
   ASSERT_NE(again.app->of<CanvasLook>().backdrop, nullptr);
   EXPECT_FALSE(again.app->of<CanvasLook>().backdrop->adjusting) << "it was placed once";
@@ -82,7 +86,8 @@ TEST(ReferenceDesk, AFileThatIsAnotherOneIsSaidAndAskedAbout) {
     project = project_with_reference(desk);
     write_reference(desk.path("face.png"), 77);
   }
-  Desk again("reference-differs-again", project);
+  auto second = std::make_unique<Desk>("reference-differs-again", project);
+  Desk& again = *second;
   ReferenceDesk& references = again.app->of<ReferenceDesk>();
   EXPECT_TRUE(references.differs());
   EXPECT_NE(references.doubt().find("face.png is another file"), std::string::npos) << references.doubt();
@@ -90,6 +95,7 @@ TEST(ReferenceDesk, AFileThatIsAnotherOneIsSaidAndAskedAbout) {
   again.click("Use it##doubt");
   EXPECT_TRUE(references.doubt().empty());
   ASSERT_TRUE(again.app->of<Files>().save(project).ok());
+  second.reset();
   Desk last("reference-differs-last", project);
   EXPECT_FALSE(last.app->of<ReferenceDesk>().differs());
 }

@@ -70,14 +70,14 @@ TEST(Kill, ADiskThatIsFullForAWhileLosesNothing) {
   };
   for (int i = 0; i < 4; ++i) draw(i);
   EXPECT_FALSE(desk.app->of<Recording>().records());
-  EXPECT_TRUE(desk.says("cannot be recorded now"));
+  EXPECT_TRUE(desk.says("cannot be written now"));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   const std::size_t drawn = desk.document().curves.size();
   EXPECT_GE(drawn, 1U);
   draw(5);
   EXPECT_TRUE(desk.app->of<Recording>().records());
-  EXPECT_TRUE(desk.says("recorded again"));
+  EXPECT_TRUE(desk.says("recording again"));
   const auto played = replayed(desk.app->of<Recording>().path());
   ASSERT_TRUE(played && played->session) << played.error().line();
   EXPECT_FALSE(played->divergence);

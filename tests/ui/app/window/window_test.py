@@ -31,9 +31,9 @@ SMILE = [(462, 446), (480, 458), (500, 470), (517, 476), (534, 470), (550, 461),
 
 def on_canvas(points, player=False):
     """Strokes that were measured where the canvas was 665 px high: the head follows the canvas's size."""
-    height, middle = (553.5, 323.5) if player else (600.5, 347)
+    height, middle = (545, 320.5) if player else (593, 344.5)
     share = height / 665
-    return [(round(525 + (x - 525) * share), round(middle + (y - 379.5) * share)) for x, y in points]
+    return [(round(514 + (x - 525) * share), round(middle + (y - 379.5) * share)) for x, y in points]
 
 
 def write_png(source, path):
@@ -155,7 +155,7 @@ def use(program, screen, folder):
     process = start(program, screen, session)
     screen.picture("1_start")
     screen.key("Escape")
-    screen.key("1")
+    screen.key("shift+1")
     screen.key("a")
     screen.stroke(GENERAL)
     screen.picture("2_region")
@@ -248,16 +248,16 @@ def pen_alone(program, screen, folder, session):
     head = [line for line in open(session) if line[:2] in ("R:", "N:", "I:", "D:")]
     pen = PenTrace(head)
     pen.hold(640, 400, False, 1)
-    pen.tap(640, 582)  # Begin
-    pen.tap(50, 369)  # Rig
+    pen.tap(640, 589)  # Begin
+    pen.tap(24, 252)  # Rig
     for line in (GENERAL, SPECIFIC, RAISED):
         pen.stroke(line)
-    pen.tap(50, 111)  # Pose
+    pen.tap(66, 72)  # Pose
     for line in (MOUTH, SMILE):
         pen.stroke(line)
-    pen.tap(459, 694)  # Key
-    pen.tap(34, 23)  # Menu
-    pen.tap(168, 151)  # Save
+    pen.tap(490, 690)  # Key
+    pen.tap(50, 24)  # Menu
+    pen.tap(224, 198)  # Save
     pen.tap(330, 586)  # the button of that name
     trace = os.path.join(folder, "alone.hid")
     with open(trace, "w") as out:
@@ -298,7 +298,7 @@ def drawn_face(program, screen, folder):
     screen.environment = dict(before, HOME=home)
     process = start(program, screen, session)
     screen.key("Escape")
-    screen.key("1")
+    screen.key("shift+1")
     screen.stroke(SMILE)
     screen.picture("10_drawn_face")
     screen.key("ctrl+q")
@@ -317,7 +317,7 @@ def asked_to_end(program, screen, folder):
     """A signal ends the program as a user would, without a question, and the session holds everything."""
     session = os.path.join(folder, "ended.session")
     process = start(program, screen, session)
-    screen.key("1")
+    screen.key("shift+1")
     screen.stroke(MOUTH)
     process.send_signal(signal.SIGTERM)
     assert process.wait(timeout=20) == 0, process.stdout.read()
@@ -332,7 +332,7 @@ def crash(program, screen, folder):
     """A program that is killed leaves a session that replays."""
     session = os.path.join(folder, "killed.session")
     process = start(program, screen, session)
-    screen.key("1")
+    screen.key("shift+1")
     screen.stroke([(470, 464), (490, 468), (517, 472), (545, 468), (564, 464)])
     process.send_signal(signal.SIGKILL)
     process.wait()
@@ -359,7 +359,7 @@ def killed_twice(program, screen, folder):
 
     process = begin()
     screen.key("Escape")
-    screen.key("1")
+    screen.key("shift+1")
     screen.stroke(MOUTH)
     screen.stroke(SMILE)
     (session,) = newest()

@@ -59,19 +59,14 @@ void slider_of(PanelContext& context, const ShownRow& of, std::size_t index, con
   ImGui::OpenPopup("row");
 }
 
-/// Whether the pointer hovers over a place of this window.
-bool hovers_over(const PanelContext& context, ImVec2 from, ImVec2 to) {
-  return context.hovers && !context.menu_open && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
-}
-
 /// The name in its column. Under the pointer it gives room to what is done to it most.
 void name_of_row(PanelContext& context, const ShownRow& of, const std::string& label) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float wide = of.look.name;
-  const bool hovered = hovers_over(context, from, {from.x + wide, from.y + context.unit});
+  const bool hovered = offers_quick_buttons(context, from, {from.x + wide, from.y + context.unit});
   const float room = wide - (hovered ? quick_buttons_width(context, of.with, of.names) : 0);
   const bool pressed = ImGui::InvisibleButton("##name", {std::max(1.0F, room), context.unit});
-  note(context, ("row " + of.names.front()).c_str());
+  note(context, ("name " + of.names.front()).c_str());
   ask_for_menu(context, "row", pressed);
   tooltip(context, (of.words + "\n" + label + "\nTouch for all that can be done with it").c_str());
   const std::string shown = fitted_text(of.words, std::max(0.0F, room - context.gap));

@@ -64,8 +64,7 @@ bool group_row(PanelContext& context, const SidePanelOwners& with, const std::st
   ImGui::PushID(group.c_str());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float wide = ImGui::GetContentRegionAvail().x;
-  const bool hovered = context.hovers && !context.menu_open && ImGui::IsWindowHovered() &&
-                       ImGui::IsMouseHoveringRect(from, {from.x + wide, from.y + context.unit});
+  const bool hovered = offers_quick_buttons(context, from, {from.x + wide, from.y + context.unit});
   const float buttons = hovered ? quick_buttons_width(context, with.rows(), members.names) : 0;
   const std::string label = (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(rows) + "##group " + group;
   ButtonLook look{wide - buttons, false, open ? "Fold this group; a long press opens its menu" : "Unfold this group"};

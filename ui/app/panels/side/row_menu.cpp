@@ -125,6 +125,15 @@ void show_group_menu(PanelContext& context, const RowOwners& with, const RowGrou
   ImGui::EndPopup();
 }
 
+bool offers_quick_buttons(const PanelContext& context, ImVec2 from, ImVec2 to) {
+  bool& shown = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##quick"));
+  // They stay while one of them is pressed, and none comes under a pen that is pressed already.
+  shown = context.hovers && !context.menu_open && (shown || !ImGui::GetIO().MouseDown[0]) &&
+          ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+          ImGui::IsMouseHoveringRect(from, to);
+  return shown;
+}
+
 float quick_buttons_width(const PanelContext& context, const RowOwners& with, const ControlNames& names) {
   const bool redraws = names.size() == 1 && is_sketched(with.editing, names.front());
   return (redraws ? 3.0F : 2.0F) * context.unit;

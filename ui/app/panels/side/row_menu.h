@@ -44,7 +44,9 @@ void show_row_menu(PanelContext& context, const RowOwners& with, const ControlNa
 void show_group_menu(PanelContext& context, const RowOwners& with, const RowGroup& group);
 
 /// Buttons over the right end of a row's or a group's name, while the pointer hovers there: locked or free, drawn
-/// again, back to rest. `label`: what their names end in. Px that they take.
+/// again, back to rest. Tells if those between two corners of the window are to be shown.
+[[nodiscard]] bool offers_quick_buttons(const PanelContext& context, ImVec2 from, ImVec2 to);
+/// Px that they take.
 [[nodiscard]] float quick_buttons_width(const PanelContext& context, const RowOwners& with, const ControlNames& names);
 void show_quick_buttons(PanelContext& context, const RowOwners& with, const ControlNames& names,
                         const std::string& label);

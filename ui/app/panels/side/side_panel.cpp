@@ -20,12 +20,10 @@ struct SideTab {
   bool PanelState::*part;  ///< null: none of the others
 };
 constexpr std::array<SideTab, 4> k_side_tabs{
-    {{"Parameters", "All controls as sliders",
-      "D9 7 2.4D15 12 2.4D8 17 2.4M4 7L20 7M4 12L20 12M4 17L20 17", nullptr},
+    {{"Parameters", "All controls as sliders", "D9 7 2.4D15 12 2.4D8 17 2.4M4 7L20 7M4 12L20 12M4 17L20 17", nullptr},
      {"Controls", "Controls that you sketched, and new ones", "D4 15.5 2.2D20 15.5 2.2D12 9 2.2A12 17 8 190 350",
       &PanelState::controls_tab},
-     {"Poses", "Keyed poses and the library", "C12 12 8.5D9 10 1.2D15 10 1.2A12 12 4.5 30 150",
-      &PanelState::poses_tab},
+     {"Poses", "Keyed poses and the library", "C12 12 8.5D9 10 1.2D15 10 1.2A12 12 4.5 30 150", &PanelState::poses_tab},
      {"Mouths", "The mouths that speech is drawn with", "M3 12L8 8.5L12 10L16 8.5L21 12L16 16.5L8 16.5ZM3 12L21 12",
       &PanelState::mouths_tab}}};
 /// Room beside the word of a tab, in targets of a pen.

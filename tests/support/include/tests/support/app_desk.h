@@ -94,11 +94,16 @@ class Desk {
     app->of<Pointer>().moved(area->middle());
     frames();
   }
+  /// Touches what is left of a row's name, while the pointer is on it and its buttons are shown.
+  bool touch_row(const std::string& label) {
+    hover(label);
+    return click(label);
+  }
   /// Locks a control in the list, or frees it, by its row's menu.
   void turn_lock(const std::string& name) {
-    std::string row = "row " + name;
+    std::string row = "name " + name;
     if (interface->find(row) == nullptr) row.back() = 'L';
-    ASSERT_TRUE(click(row));
+    ASSERT_TRUE(touch_row(row));
     for (const auto& [label, area] : interface->targets()) {
       if (!label.ends_with("##lock " + name) || label.find("both") != std::string::npos) continue;
       click(std::string(label));
@@ -157,6 +162,18 @@ class Desk {
     app->of<Pointer>().moved(at(to));
     frames();
     if (lift) let_go(at(to));
+  }
+  /// Pulls what a panel shows from one place to another, with frames in between as panels see them.
+  void pull(PxPoint from, PxPoint to) {
+    app->of<Pointer>().moved(from);
+    frames();
+    app->of<Pointer>().button(MouseButton::left, true, from);
+    frames();
+    app->of<Pointer>().moved(from * 0.5 + to * 0.5);
+    frames();
+    app->of<Pointer>().moved(to);
+    frames();
+    let_go(to);
   }
   void let_go(PxPoint at) {
     app->of<Pointer>().button(MouseButton::left, false, at);

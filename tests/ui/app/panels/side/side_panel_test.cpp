@@ -98,7 +98,7 @@ TEST(SidePanel, QuickButtonsComeUnderAPointerThatHoversAndNotUnderAFinger) {
   Desk desk("quick");
   see_all(desk);
   EXPECT_EQ(desk.interface->find("##lock jaw"), nullptr);
-  desk.hover("row jaw");
+  desk.hover("name jaw");
   EXPECT_NE(desk.interface->find("##lock jaw"), nullptr);
   EXPECT_NE(desk.interface->find("\u21ba##reset jaw"), nullptr);
   const Area lock = *desk.interface->find("##lock jaw");
@@ -136,7 +136,7 @@ TEST(SidePanel, AGroupIsMovedAloneOrLeftOut) {
   Desk desk("group-alone");
   see_all(desk);
   const auto choose = [&](const std::string& entry) {
-    desk.click("row brow_inner_L");
+    desk.touch_row("name brow_inner_L");
     ASSERT_NE(desk.interface->find(entry), nullptr) << entry;
     desk.click(entry);
   };

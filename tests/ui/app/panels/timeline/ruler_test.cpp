@@ -24,14 +24,14 @@ TEST(Ruler, TheEndsOfWhatIsPlayedAreDraggedAndTheFramesWithinAreScrubbed) {
   const Area out = *desk.interface->find("out point");
   EXPECT_GE(in.width(), 32) << "wide enough for a pen";
   const double second = out.left - in.right;
-  desk.stroke({in.middle(), {in.middle().x - 0.5 * second, in.middle().y}});
+  desk.pull(in.middle(), {in.middle().x - 0.5 * second, in.middle().y});
   EXPECT_LT(*loop(desk).from_s, 0.6);
   EXPECT_EQ(*loop(desk).to_s, 2);
   EXPECT_EQ(desk.app->of<Playback>().time_s(), 0) << "the playhead stays";
-  desk.stroke({out.middle(), {out.middle().x + 0.5 * second, out.middle().y}});
+  desk.pull(out.middle(), {out.middle().x + 0.5 * second, out.middle().y});
   EXPECT_GT(*loop(desk).to_s, 2.4);
   const double middle = 0.5 * (in.right + out.left);
-  desk.stroke({{middle, in.middle().y}, {middle + 2, in.middle().y}});
+  desk.pull({middle, in.middle().y}, {middle + 2, in.middle().y});
   EXPECT_NEAR(desk.app->of<Playback>().time_s(), 1.5, 0.05) << "between them one scrubs";
 }
 
@@ -42,7 +42,7 @@ TEST(Ruler, WithShiftADragSetsBothEndsAndThePlayheadStays) {
   const Area ruler = *desk.interface->find("ruler");
   const double y = ruler.middle().y;
   desk.interface->key(k_left_shift, {0, false, true}, true);
-  desk.stroke({{ruler.left + 0.5 * ruler.width(), y}, {ruler.left + 0.25 * ruler.width(), y}});
+  desk.pull({ruler.left + 0.5 * ruler.width(), y}, {ruler.left + 0.25 * ruler.width(), y});
   desk.interface->key(k_left_shift, {0, false, false}, false);
   desk.frames();
   ASSERT_TRUE(loop(desk).from_s && loop(desk).to_s);
@@ -50,7 +50,7 @@ TEST(Ruler, WithShiftADragSetsBothEndsAndThePlayheadStays) {
   EXPECT_NEAR(*loop(desk).to_s, 2, 0.1);
   EXPECT_EQ(desk.app->of<Playback>().time_s(), 0);
   // Let go of, it is forgotten.
-  desk.stroke({{ruler.left + 0.5 * ruler.width(), y}, {ruler.left + 0.4 * ruler.width(), y}});
+  desk.pull({ruler.left + 0.45 * ruler.width(), y}, {ruler.left + 0.4 * ruler.width(), y});
   EXPECT_GT(desk.app->of<Playback>().time_s(), 1.4);
 }
 

@@ -16,13 +16,13 @@ TEST(TimelineGrip, TheSheetAndTheCurvesEachKeepTheHeightThatTheyWereDraggedTo) {
   const double usual = desk.interface->find("sheet")->height();
   const Area grip = *desk.interface->find("timeline grip");
   EXPECT_GE(grip.height(), 32) << "high enough for a pen";
-  desk.stroke({grip.middle(), {grip.middle().x, grip.middle().y + 60}});
+  desk.pull(grip.middle(), {grip.middle().x, grip.middle().y + 60});
   const double lower = desk.interface->find("sheet")->height();
   EXPECT_NEAR(lower, usual - 60, 3);
   desk.press('t', false, true);
   EXPECT_NEAR(desk.interface->find("curves")->height(), usual, 1) << "the curves have their own";
   const Area other = *desk.interface->find("timeline grip");
-  desk.stroke({other.middle(), {other.middle().x, other.middle().y - 40}});
+  desk.pull(other.middle(), {other.middle().x, other.middle().y - 40});
   EXPECT_NEAR(desk.interface->find("curves")->height(), usual + 40, 3);
   desk.press('t');
   EXPECT_NEAR(desk.interface->find("sheet")->height(), lower, 1);
