@@ -147,7 +147,8 @@ void clear_curves(EditingSession& editing) {
 }
 
 void next_stabiliser(Preferences& preferences, Notices& notices) {
-  constexpr std::array k_messages{"lines are shown as they are drawn", "lines look a little smoother; the recording keeps them as drawn",
+  constexpr std::array k_messages{"lines are shown as they are drawn",
+                                  "lines look a little smoother; the recording keeps them as drawn",
                                   "lines look much smoother; the recording keeps them as drawn"};
   Stabiliser& stabiliser = preferences.settings().stabiliser;
   stabiliser = next_of(stabiliser, 3);

@@ -40,10 +40,10 @@ struct JoinedLists<std::variant<Some...>, std::variant<More...>, Lists...>
     : JoinedLists<std::variant<Some..., More...>, Lists...> {};
 
 /// The types of all commands. No value of this type is made: its members would be compiled wherever a command is used.
-using CommandTypes = JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands,
-                                 CorrectionCommands, TimeCommands, FaceCommands, ArcCommands, SoundCommands,
-                                 ClipCommands, FeatureCommands, BookmarkCommands, CameraCommands,
-                                 ReferenceCommands>::Type;
+using CommandTypes =
+    JoinedLists<ParameterCommands, PosingCommands, PlacedCommands, DeformerCommands, TargetCommands, CorrectionCommands,
+                TimeCommands, FaceCommands, ArcCommands, SoundCommands, ClipCommands, FeatureCommands, BookmarkCommands,
+                CameraCommands, ReferenceCommands>::Type;
 
 template <typename One, typename Types = CommandTypes>
 inline constexpr std::size_t k_index_of = static_cast<std::size_t>(-1);

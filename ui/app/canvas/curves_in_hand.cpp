@@ -223,7 +223,8 @@ void CurvesInHand::move(PxPoint at) {
 }
 
 void CurvesInHand::end_performance() {
-  if (!parts_.performer.end()) parts_.notices.tell("the take moved nothing, so nothing is keyed: pull a feature of the face");
+  if (!parts_.performer.end())
+    parts_.notices.tell("the take moved nothing, so nothing is keyed: pull a feature of the face");
   target_.reset();
   place_.reset();
   parts_.editing.shown().let_place_go();

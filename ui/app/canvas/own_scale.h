@@ -25,8 +25,8 @@ struct SystemScale {
 /// Px per inch of so many px in so many millimetres; 0 where either is none.
 [[nodiscard]] double dpi_of(int px, int millimetres);
 
-/// Px of a window that is opened in a place of `all` px: `usual` ones at the nearest quarter of a scale, and no more than
-/// there are.
+/// Px of a window that is opened in a place of `all` px: `usual` ones at the nearest quarter of a scale, and no more
+/// than there are.
 [[nodiscard]] int opened_px(int usual, double scale, int all);
 
 /// The value of "Xft.dpi" in X resources, "NAME:<tab>VALUE" lines of which the last one counts; nothing where there is

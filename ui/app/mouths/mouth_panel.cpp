@@ -215,8 +215,7 @@ void show_choices(PanelContext& context, const MouthOwners& with) {
   if (wide_button(context, "Replace##mouth", third, false, "Replace with the current mouth; its keys follow"))
     with.kept.keep(name);
   ImGui::SameLine();
-  if (wide_button(context, "Delete##mouth", third, false, "Remove this mouth; its keys stay"))
-    with.kept.remove(name);
+  if (wide_button(context, "Delete##mouth", third, false, "Remove this mouth; its keys stay")) with.kept.remove(name);
   ImGui::EndDisabled();
 }
 

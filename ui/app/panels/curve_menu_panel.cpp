@@ -29,8 +29,7 @@ void show_feature_rows(PanelContext& context, PanelState& panels, const document
       chosen = document::LineIsFeature{line.id, line.feature};
     ImGui::SameLine();
   }
-  if (!wide_button(context, "This is another feature##face", width, false,
-                   "Choose the feature that this line follows"))
+  if (!wide_button(context, "This is another feature##face", width, false, "Choose the feature that this line follows"))
     return;
   panels.curve_menu.reset();
   panels.feature_menu = FeatureMenu{{}, line.id, {}, {}, at};

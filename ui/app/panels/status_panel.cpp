@@ -9,9 +9,9 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/view/outcome.h"
 #include "ui/app/view/shown_curves.h"
-#include "ui/render/ghosts/ghost_drawings.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
+#include "ui/render/ghosts/ghost_drawings.h"
 #include "ui/render/scene.h"
 
 // What there is to say of the canvas: what came of the last stroke, and what colours mean.

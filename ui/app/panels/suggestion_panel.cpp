@@ -19,9 +19,10 @@ std::string moved_text(EditingSession& editing, const SuggestionOffer& offer) {
   constexpr std::size_t k_named = 5;
   const auto& movements = offer.movements();
   if (movements.empty()) {
-    return offer.suggestion().command.strength > 0 ? "The keyed poses suggest no change."
-                                                   : "The keyed poses have too little in common for a reliable suggestion. "
-                                                     "Drag the slider to see it anyway.";
+    return offer.suggestion().command.strength > 0
+               ? "The keyed poses suggest no change."
+               : "The keyed poses have too little in common for a reliable suggestion. "
+                 "Drag the slider to see it anyway.";
   }
   std::string text;
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
@@ -80,14 +81,12 @@ void show_suggestion(PanelContext& context, const Area& /*area*/, EditingSession
     ImGui::TextWrapped("%s", title.c_str());
     double strength = offer.suggestion().command.strength;
     bool released = false;
-    if (tall_slider(context, "##strength", strength, 0, 1, ImGui::GetContentRegionAvail().x, "amount",
-                    released)) {
+    if (tall_slider(context, "##strength", strength, 0, 1, ImGui::GetContentRegionAvail().x, "amount", released)) {
       offer.set_strength(editing, strength);
     }
     if (offer.open()) ImGui::TextWrapped("%s", text.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (primary_button(context, "Take it##suggestion", half,
-                       "Apply it; what you posed stays")) {
+    if (primary_button(context, "Take it##suggestion", half, "Apply it; what you posed stays")) {
       offer.take(editing);
     }
     ImGui::SameLine();

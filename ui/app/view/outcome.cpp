@@ -17,8 +17,9 @@ std::string why_nothing_moved(EditingSession& editing) {
     return "the curve already is where the line was drawn";
   const std::vector<std::string> others = words_of_readings(editing.document(), editing.words());
   if (!others.empty()) return "the nearest would be " + others.front();
-  return editing.document().locked.empty() ? "no control of this model moves the curve towards the line"
-                                           : "no unlocked control moves the curve towards the line: unlock some in the panel";
+  return editing.document().locked.empty()
+             ? "no control of this model moves the curve towards the line"
+             : "no unlocked control moves the curve towards the line: unlock some in the panel";
 }
 
 std::string number(const char* format, double value) {

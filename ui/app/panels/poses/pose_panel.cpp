@@ -120,8 +120,7 @@ void show_pictures(PanelContext& context, const PosePanelOwners& with, float hei
   }
   show_expressions(context, with, row);
   if (held->keys.empty()) {
-    ImGui::TextWrapped(
-        "No pose is keyed yet. Draw one and press Key; it appears here.");
+    ImGui::TextWrapped("No pose is keyed yet. Draw one and press Key; it appears here.");
   }
   ImGui::EndChild();
 }
@@ -201,8 +200,7 @@ void show_poses(PanelContext& context, EditingSession& editing, Playback& playba
   const PosePanelOwners with{editing, playback, panels, shelf};
   PosesShown& shown = panels.own.of<PosesShown>();
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (wide_button(context, "This file##poses", half, !shown.library, "Keyed poses of this file"))
-    shown.library = false;
+  if (wide_button(context, "This file##poses", half, !shown.library, "Keyed poses of this file")) shown.library = false;
   ImGui::SameLine();
   if (wide_button(context, "Library##poses", half, shown.library, "Your saved poses, for every file and rig"))
     shown.library = true;

@@ -49,7 +49,7 @@ void show_rail(PanelContext& context, PanelState& panels) {
   }
 }
 
-/// The tabs with their words where there is room for all of them, else with that of the chosen one alone.
+/// The tabs with their words where there is room for all of them, else as icons of equal width, which never move.
 void show_tabs(PanelContext& context, PanelState& panels) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x - context.unit - 4 * spacing;
@@ -60,7 +60,7 @@ void show_tabs(PanelContext& context, PanelState& panels) {
   for (const SideTab& tab : k_side_tabs) {
     const bool chosen = is_chosen(panels, tab);
     ButtonLook look{ImGui::CalcTextSize(tab.label).x + k_tab_pad * context.unit + pad, chosen, tab.tip};
-    if (!all) look = {chosen ? room - 3 * context.unit : context.unit, chosen, tab.tip, tab.icon, chosen};
+    if (!all) look = {room / static_cast<float>(k_side_tabs.size()), chosen, tab.tip, tab.icon, false};
     if (icon_button(context, tab.label, look)) choose(panels, tab);
     ImGui::SameLine();
   }

@@ -133,7 +133,8 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
     // A small window has no room for more.
     if (area.height() > 2 * static_cast<double>(context.unit)) {
       beside_strip(context, with, [&](float width) {
-        if (wide_button(context, "All rows", width, with.shown().all_rows, "Show controls that are at rest in every key, too"))
+        if (wide_button(context, "All rows", width, with.shown().all_rows,
+                        "Show controls that are at rest in every key, too"))
           with.shown().all_rows = !with.shown().all_rows;
       });
       show_ruler(context, with);
