@@ -254,8 +254,11 @@ void Interface::show_all(PanelContext& context) {
   const double most = height - top - player - status - std::max(k_least_canvas * height, k_least_targets_down * unit);
   double bottom = 3 * unit + 4 * gap + sound_strip_height(context, app_.of<SoundTrack>());
   bottom += camera_strip_height(context, app_.of<CameraDesk>());
+  // Tools stay as they are when the timeline grows: they scroll where they have no room.
+  auto& toolbar = panels_.own.of<ToolbarLayout>();
+  toolbar = toolbar_layout(context, static_cast<float>(height - (most < bottom ? unit + 2 * gap : bottom) - top));
   bottom = timeline_height(bottom, most, unit + 2 * gap, std::min(6 * unit, 0.35 * height));
-  double left = static_cast<double>(toolbar_layout(context, static_cast<float>(height - bottom - top)).width);
+  double left = static_cast<double>(toolbar.width);
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
   panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
   if (panels_.narrow) {

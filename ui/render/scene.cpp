@@ -16,7 +16,7 @@ Color curve_color(CurveKind kind) {
 
 bool same_background(const Background& a, const Background& b) {
   const auto same = [](const Color& c, const Color& d) { return c.r == d.r && c.g == d.g && c.b == d.b && c.a == d.a; };
-  return same(a.top, b.top) && same(a.bottom, b.bottom);
+  return same(a.top, b.top) && same(a.bottom, b.bottom) && a.vignette == b.vignette;
 }
 
 }  // namespace penpose::render

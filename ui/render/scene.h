@@ -79,6 +79,7 @@ inline constexpr float k_occlusion_radius = 0.06F;
 struct Background {
   Color top = from_srgb(0x5b6470);
   Color bottom = from_srgb(0x24282e);
+  float vignette = 0.5F;  ///< how much darker it is towards the corners; 0: it is not
 };
 
 [[nodiscard]] bool same_background(const Background& a, const Background& b);

@@ -8,7 +8,7 @@ namespace penpose::app {
 
 /// Actions of kept views and of the camera that moves along the timeline, in a row each.
 [[nodiscard]] std::span<const ActionInfo> camera_actions();
-/// Whether it goes to the view of one key, or keeps one on it.
+/// True for what goes to the view of one key, or keeps one on it.
 [[nodiscard]] bool is_camera_key(Action action);
 
 }  // namespace penpose::app

@@ -7,6 +7,7 @@
 #include "ui/app/hands/bindings.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 #include "ui/app/widgets/pad_picture.h"
 
@@ -28,7 +29,7 @@ decode::PressureCurve curve_of(const replay::TabletSetting& setting) {
 /// Hard pressed to the right, meant upwards, with the pen's last pressure as it is meant.
 void show_pressure(const TabletDialogOwners& with, const replay::TabletSetting& setting, ImVec2 from, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), scaled(4));
   const decode::PressureCurve curve = curve_of(setting);
   const auto place = [&](double pressed, double meant) {
     return ImVec2{from.x + static_cast<float>(pressed) * size.x, from.y + size.y - static_cast<float>(meant) * size.y};
@@ -37,12 +38,12 @@ void show_pressure(const TabletDialogOwners& with, const replay::TabletSetting& 
   for (int i = 0; i < k_steps; ++i) {
     const double a = static_cast<double>(i) / k_steps;
     const double b = static_cast<double>(i + 1) / k_steps;
-    list.AddLine(place(a, curve(a)), place(b, curve(b)), ImGui::GetColorU32(ImGuiCol_PlotLines), 2);
+    list.AddLine(place(a, curve(a)), place(b, curve(b)), ImGui::GetColorU32(ImGuiCol_PlotLines), scaled(2));
   }
   const auto& pressure = with.dialogs.state<PenTrial>().pressure;
   if (pressure.empty()) return;
   const ImVec2 end = place(1, pressure.back());
-  list.AddLine({from.x, end.y}, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
+  list.AddLine({from.x, end.y}, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), scaled(2));
 }
 
 /// A place to draw in: the line appears under the pen, as thick as it is pressed.
@@ -59,7 +60,7 @@ void test_area(PanelContext& context, const TabletDialogOwners& with, const repl
   context.scrolls.push_back({area});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to{from.x + size.x, from.y + size.y};
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), scaled(4));
   list.PushClipRect(from, to, true);
   const auto& line = with.dialogs.state<PenTrial>().line;
   for (std::size_t i = 1; i < line.size(); ++i) {

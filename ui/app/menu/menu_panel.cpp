@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "ui/app/camera/camera_actions.h"
 #include "ui/app/menu/menu_sections.h"
 #include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/icon.h"
@@ -42,8 +41,6 @@ std::vector<MenuPlace> places_of(const PanelContext& context, const MenuSection&
       const bool optional =
           action == Action::up_axis || action == Action::left_handed || action == Action{"screen_keyboard"};
       if (optional && !context.actions.usable(action)) continue;
-      // The list of cameras stands for the keys of each.
-      if (is_camera_key(action)) continue;
       out.push_back({action, std::exchange(first, false)});
     }
   }

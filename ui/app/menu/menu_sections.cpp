@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "ui/app/camera/camera_actions.h"
 #include "ui/app/playback/time_actions.h"
 
 namespace penpose::app {
@@ -36,7 +37,7 @@ std::vector<MenuSection> placed() {
          {"orbit_down"}},
         {{"cameras"}, {"look_through"}},
         {{"textured"}, A::clay, {"matcap"}, A::wireframe, {"soft_shadows"}, A::backdrop, A::backdrop_off},
-        {A::panels, A::fullscreen, A::theme, A::larger, A::smaller, A::density}}},
+        {A::panels, {"side_panel"}, A::fullscreen, A::theme, A::larger, A::smaller, A::density}}},
       {"Character", "C12 8 4M4 21L5 16L9 14L15 14L19 16L20 21",
        {{A::tool_articulate}, {A::reset_pose, A::flip_pose, A::copy_to_right, A::copy_to_left, A::neutral},
         {{"only_these"}, {"not_these"}, {"only_brows"}, {"only_eyes"}, {"only_mouth"}, {"all_controls"}},
@@ -72,6 +73,7 @@ std::vector<MenuSection> all_sections() {
   const auto of_time = time_actions();
   for (const ActionInfo& one : all_actions()) {
     const Action action = one.action;
+    if (is_camera_key(action)) continue;
     if (std::any_of(all.begin(), all.end(), [&](const MenuSection& section) { return holds(section, action); }))
       continue;
     const bool is_of_time =
@@ -90,11 +92,6 @@ std::vector<MenuSection> all_sections() {
 const std::vector<MenuSection>& menu_sections() {
   static const std::vector<MenuSection> all = all_sections();
   return all;
-}
-
-const MenuSection& section_of(Action action) {
-  const auto& all = menu_sections();
-  return *std::find_if(all.begin(), all.end(), [&](const MenuSection& one) { return holds(one, action); });
 }
 
 }  // namespace penpose::app

@@ -157,13 +157,14 @@ void show_slot(PanelContext& context, const MouthOwners& with, const MouthSlot& 
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const bool lit = ImGui::IsItemHovered();
   if (mouth != nullptr || lit)
-    list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_ButtonHovered : ImGuiCol_Button), 5);
+    list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
+                       ImGui::GetStyle().FrameRounding);
   if (mouth != nullptr) {
     if (const auto place = context.pictures.place_of(with.editing, with.kept.pose_of(*mouth), FacePart::mouth))
       list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                            place->first, place->second, k_untinted, 4);
   } else {
-    list.AddRect(from, to, faint, 5);
+    list.AddRect(from, to, faint, ImGui::GetStyle().FrameRounding);
     draw_lines(list, slot.mouth, {0.5F * (from.x + to.x), from.y + 0.5F * width}, width, faint);
   }
   const std::string shown = fitted_text(name, width - context.gap);
@@ -171,7 +172,8 @@ void show_slot(PanelContext& context, const MouthOwners& with, const MouthSlot& 
   list.AddText({0.5F * (from.x + to.x - wide), from.y + width + 0.25F * context.gap},
                mouth != nullptr ? ImGui::GetColorU32(ImGuiCol_Text) : faint, shown.c_str());
   const bool chosen = with.panels.own.of<ChosenMouth>().slot == &slot && mouth != nullptr;
-  if (chosen || with.redraws(slot)) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  if (chosen || with.redraws(slot))
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), ImGui::GetStyle().FrameRounding, 0, scaled(2.5F));
   if (pressed) press(with, slot);
 }
 

@@ -22,6 +22,8 @@ constexpr float k_notice_cover = 0.94F;
 void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, CanvasDrawing& drawing, Notices& notices,
                   Dialogs& dialogs) {
   const auto& all = notices.all();
+  std::optional<Area>& said = context.own.of<ToastPlace>().area;
+  said.reset();
   if (all.empty()) return;
   Area free = canvas.free_area();
   if (const auto& readings = context.own.of<ReadingsPlace>().area) free.bottom = readings->top;
@@ -47,6 +49,7 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
                          ? Area{corner, corner, corner + static_cast<double>(wide), corner + static_cast<double>(high)}
                          : toast_place(inner, static_cast<double>(wide), static_cast<double>(high),
                                        drawn_px(canvas.view(), drawing.curves));
+  said = place;
   auto y = static_cast<float>(place.top);
   const auto x = static_cast<float>(place.left);
   for (const Notice& one : all) {

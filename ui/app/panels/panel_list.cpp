@@ -7,11 +7,11 @@
 namespace penpose::app {
 
 // Each stands in a file of its own. A new one is that file, a line here and a row below.
-void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, ToolInHand&, Recording&, Preferences&);
+void show_top_bar(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, Recording&, Preferences&);
 void show_toolbar(PanelContext&, const Area&, EditingSession&, SuggestionOffer&, ToolInHand&);
 void show_side_panel(PanelContext&, const Area&, EditingSession&, Canvas&, Controls&, Playback&, Notices&, KeptMouths&,
                      Dialogs&, PanelState&, PoseShelf&, Restriction&);
-void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&);
+void show_status(PanelContext&, const Area&, EditingSession&, CanvasLook&, ToolInHand&);
 void show_timeline(PanelContext&, const Area&, EditingSession&, CanvasLook&, Playback&, Keys&, Performer&, TourGuide&,
                    Notices&, Dialogs&, PanelState&, SoundTrack&, OverlapOffer&, GhostHand&, CameraDesk&);
 void show_timeline_grip(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);

@@ -7,6 +7,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
+#include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/view/outcome.h"
 #include "ui/app/view/shown_curves.h"
 #include "ui/app/widgets/internal/theme.h"
@@ -14,7 +15,8 @@
 #include "ui/render/ghosts/ghost_drawings.h"
 #include "ui/render/scene.h"
 
-// What there is to say of the canvas: what came of the last stroke, and what colours mean.
+// What there is to say of the canvas: what came of the last stroke, else what the tool in hand does, and what colours
+// mean.
 
 namespace penpose::app {
 namespace {
@@ -76,17 +78,20 @@ float show_legend(const StatusPanelOwners& with, const Area& area, float gap) {
 
 }  // namespace
 
-void show_status(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look) {
+void show_status(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look, ToolInHand& tool) {
   const StatusPanelOwners with{editing, look};
   if (begin_panel(context, "status", area)) {
     ImGui::PushFont(small_font());
     const float end = show_legend(with, area, context.gap);
-    const std::string text = outcome_of(editing);
+    std::string text = outcome_of(editing);
+    const bool hints = text.empty();
+    if (hints) text = tool.hint();
     if (!text.empty()) {
       const auto x = static_cast<float>(area.left) + context.gap;
       const auto y = static_cast<float>(area.middle().y) - 0.5F * ImGui::GetFontSize();
       const std::string shown = fitted_text(text, end - x - context.gap);
-      ImGui::GetWindowDrawList()->AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
+      ImGui::GetWindowDrawList()->AddText({x, y}, ImGui::GetColorU32(hints ? ImGuiCol_TextDisabled : ImGuiCol_Text),
+                                          shown.c_str());
       ImGui::SetCursorScreenPos({x, static_cast<float>(area.top)});
       ImGui::Dummy({std::max(1.0F, end - x), static_cast<float>(area.height())});
       tooltip(context, text.c_str());

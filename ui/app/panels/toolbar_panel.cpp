@@ -130,7 +130,7 @@ void show_toolbar(PanelContext& context, const Area& area, EditingSession& editi
   const bool shown = begin_panel(context, "tools", area, true);
   ImGui::PopStyleVar();
   if (shown) {
-    show_tools(context, toolbar_layout(context, static_cast<float>(area.height())), editing, offer, tool);
+    show_tools(context, context.own.of<ToolbarLayout>(), editing, offer, tool);
   }
   end_panel();
 }

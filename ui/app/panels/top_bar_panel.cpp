@@ -1,12 +1,9 @@
-#include <algorithm>
-
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/files/recording.h"
 #include "ui/app/menu/menu_panel.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/preferences.h"
-#include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/theme.h"
@@ -17,7 +14,7 @@
 namespace penpose::app {
 
 void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, CanvasLook& look, Playback& playback,
-                  ToolInHand& tool, Recording& recording, Preferences& preferences) {
+                  Recording& recording, Preferences& preferences) {
   if (begin_panel(context, "top", area)) {
     ButtonLook menu{0, false, "Everything that can be done, in sections", icon::k_menu};
     menu.weight = ButtonWeight::quiet;
@@ -43,13 +40,7 @@ void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, Canva
     row.separate();
     row.add(Action::search, false, true, false);
     row.add(Action::panels, false, true, false);
-    // What to do next is worth a third of the bar.
-    const float room = ImGui::GetContentRegionAvail().x - 1.2F * context.unit;
-    row.show(room - std::min(0.3F * room, ImGui::CalcTextSize(tool.hint().c_str()).x + 3 * context.gap));
-    ImGui::SameLine();
-    text_line(context, tool.hint(), middle.x - 2 * radius - ImGui::GetCursorScreenPos().x,
-              ImGui::GetColorU32(ImGuiCol_Text));
-    tooltip(context, tool.hint().c_str());
+    row.show(ImGui::GetContentRegionAvail().x - 1.2F * context.unit);
     // The recording light.
     ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius,
                                                 color_of(recording.records() ? palette().record : palette().idle));

@@ -28,6 +28,7 @@ void Keys::set() {
 void Keys::land(double time_s) {
   landed_s_ = time_s;
   landed_us_ = playback_.now_us();
+  notices_.take_away([](const Notice& one) { return one.text == k_not_keyed_yet; });
 }
 
 double Keys::shine(double time_s) const {

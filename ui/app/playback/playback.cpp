@@ -152,7 +152,7 @@ void Playback::end_scrub() {
   if (kept) {
     editing_.perform(document::GoToTime{time_s_});
   } else {
-    notices_.tell("the pose is not on the timeline yet: Key puts it here; going to another key leaves it");
+    notices_.tell(std::string(k_not_keyed_yet));
   }
 }
 

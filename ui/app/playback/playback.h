@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "ui/app/notices.h"
 #include "ui/app/playback/loop_range.h"
@@ -10,6 +11,10 @@
 #include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
+
+/// What is said while a pose is carried along that no key has; it is taken away as soon as one has it.
+inline constexpr std::string_view k_not_keyed_yet =
+    "the pose is not on the timeline yet: Key puts it here; going to another key leaves it";
 
 /// What is done besides while one draws.
 struct WhileDrawing {

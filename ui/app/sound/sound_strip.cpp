@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -34,7 +35,7 @@ void draw_said(PanelContext& context, const SoundTrack& track, const SpokenSound
     const float x = from.x + inset + static_cast<float>((time_s - from_s) / span_s) * (size.x - 2 * inset);
     if (x < free || x > from.x + size.x) return;
     const ImVec2 room = ImGui::CalcTextSize(text.data(), text.data() + text.size());
-    list.AddRectFilled({x - 1, y}, {x + room.x + 1, y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.7F), 3);
+    list.AddRectFilled({x - 1, y}, {x + room.x + 1, y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.7F), scaled(3));
     list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), text.data(), text.data() + text.size());
     free = x + room.x + 4;
     std::string label = "said ";
@@ -87,14 +88,14 @@ void show_sound_strip(PanelContext& context, SoundTrack& track, const SpokenSoun
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to{from.x + size.x, from.y + size.y};
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), scaled(4));
   list.PushClipRect(from, to, true);
   draw_wave(track, from, size, inset, from_s, span_s);
   draw_said(context, track, said, from, size, inset, from_s, span_s);
   const float cursor =
       from.x + inset + static_cast<float>((playback.time_s() - from_s) / span_s) * (size.x - 2 * inset);
-  list.AddLine({cursor, from.y}, {cursor, to.y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
-  list.AddRectFilled({to.x - wide, from.y}, to, ImGui::GetColorU32(ImGuiCol_Button), 4);
+  list.AddLine({cursor, from.y}, {cursor, to.y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), scaled(2));
+  list.AddRectFilled({to.x - wide, from.y}, to, ImGui::GetColorU32(ImGuiCol_Button), scaled(4));
   list.AddText({to.x - wide + context.gap, from.y + 0.5F * (size.y - ImGui::GetTextLineHeight())},
                ImGui::GetColorU32(ImGuiCol_Text), label);
   list.PopClipRect();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace penpose::app {
 
 /// Over so many seconds what was said fades before it goes.
 inline constexpr double k_fade_s = 0.5;
+
+/// Where what is said stood last; nothing: nothing is said.
+struct ToastPlace {
+  std::optional<Area> area;
+};
 
 /// A place for something of some size in an area, in the corner of it that covers none of the points; where each covers
 /// some, the one that covers the fewest. The lower left is taken first, then the lower right, the upper ones.

@@ -99,7 +99,7 @@ void Picture::draw_strip(std::uint8_t side, ImVec2 from, ImVec2 to) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float half = 0.5F * (to.x - from.x);
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), half);
-  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_TextDisabled), half, 0, 2);
+  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_TextDisabled), half, 0, scaled(2));
   if (now_.strip[side] <= 0 && !now_.strip_at_zero[side]) return;
   const auto places = static_cast<float>(std::bit_width(static_cast<unsigned>(tablet_.features.strip_maximum)));
   const auto at = static_cast<float>(std::bit_width(static_cast<unsigned>(now_.strip[side])));

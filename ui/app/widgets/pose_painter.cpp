@@ -95,9 +95,8 @@ std::vector<std::uint8_t> PosePainter::paint(const document::Model& model, const
   scene.pose_number = ++state_->pose;
   std::array<render::Image, 2> over;
   for (std::size_t i = 0; i < over.size(); ++i) {
-    // The backdrop is darker towards its corners; this white is white there, too.
-    const float shade = i == 0 ? 0.0F : 4.0F;
-    scene.background = {{shade, shade, shade, 1}, {shade, shade, shade, 1}};
+    const auto shade = static_cast<float>(i);
+    scene.background = {{shade, shade, shade, 1}, {shade, shade, shade, 1}, 0};
     if (!state_->renderer.draw(scene, *camera, over[i])) return none;
   }
   return without_backdrop(over[0], over[1], px);

@@ -55,6 +55,8 @@ int list(const PosesArguments& arguments) {
   const std::string folder = folder_of(arguments);
   const auto all = files::read_pose_folder(folder);
   if (!all) return files::report(all.error(), folder);
+  if (all->empty() && !arguments.json)
+    files::warn("no pose is in this library yet: keep one with --keep NAME, or under Poses in the window", folder);
   Json listed = Json::array();
   for (const auto& [path, pose] : *all) {
     if (!pose) {

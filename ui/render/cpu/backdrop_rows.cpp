@@ -67,7 +67,7 @@ void draw_backdrop_row(const Background& colors, const Behind& behind, geometry:
     for (int i = 0; i < part; ++i) {
       const float px = static_cast<float>(left + first + i) + 0.5F;
       const float dx = px * per_px - 0.5F;
-      bright[static_cast<std::size_t>(i)] = 1.12F - 0.5F * (dx * dx + dy * dy);
+      bright[static_cast<std::size_t>(i)] = 1.12F - colors.vignette * (dx * dx + dy * dy);
       const float random = fraction(52.9829189F * fraction(px * 0.06711056F + noise_y));
       noise[static_cast<std::size_t>(i)] = (random - 0.5F) / 255.0F;
     }

@@ -121,6 +121,7 @@ void GlRenderer::State::draw_background(const Background& colors) const {
   background.use();
   background.set("top", encode_srgb(colors.top.r), encode_srgb(colors.top.g), encode_srgb(colors.top.b));
   background.set("bottom", encode_srgb(colors.bottom.r), encode_srgb(colors.bottom.g), encode_srgb(colors.bottom.b));
+  background.set("vignette", colors.vignette);
   screen.draw();
 }
 

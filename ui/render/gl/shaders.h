@@ -30,10 +30,11 @@ inline constexpr std::string_view k_background_fragment = R"(
 from_vertex vec2 place;
 uniform vec3 top;
 uniform vec3 bottom;
+uniform float vignette;
 void main() {
   vec3 color = mix(bottom, top, smoothstep(0.0, 1.0, place.y));
   vec2 d = place - vec2(0.5, 0.55);
-  color *= 1.12 - 0.5 * dot(d, d);
+  color *= 1.12 - vignette * dot(d, d);
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   result = vec4(color + (noise - 0.5) / 255.0, 1.0);
 }

@@ -114,7 +114,8 @@ TEST_F(TwoHeads, PlaceMovesTheOneUnderThePenAndTheFilesAreUnsavedThen) {
   const std::string path = desk_.path("two.glb");
   ASSERT_TRUE(files().save(path).ok());
   EXPECT_FALSE(files().unsaved());
-  desk_.click("Place");
+  desk_.app->of<Actions>().run(Action{"tool_place"});
+  desk_.frames();
   for (const std::size_t character : {std::size_t{0}, std::size_t{1}}) {
     const PxPoint from = seen(character);
     const PxPoint other = seen(1 - character);

@@ -147,7 +147,7 @@ TEST(Readings, ALineWhereItsCurveIsAsksForNothing) {
 TEST(Readings, ArePicturesWithFewWordsOfEqualSize) {
   Desk desk("readings-pictures");
   desk.begin();
-  draw_smile(desk);
+  draw_mouth(desk, -10, 0);
   ASSERT_GE(offer_of(desk).readings().size(), 2U);
   const Area* first = desk.interface->find("reading 1");
   const Area* second = desk.interface->find("reading 2");

@@ -79,6 +79,7 @@ TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   desk.stroke(desk.named_curve("brow_L"));
   EXPECT_EQ(desk.document().curves.size(), 1U) << "now the canvas is the pen's again";
   desk.app->of<Actions>().run(Action::backdrop_off);
+  desk.frames();
   EXPECT_EQ(desk.app->of<CanvasLook>().backdrop, nullptr);
 }
 

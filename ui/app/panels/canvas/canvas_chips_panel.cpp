@@ -18,8 +18,6 @@
 namespace penpose::app {
 namespace {
 
-constexpr ImU32 k_recording = IM_COL32(226, 58, 58, 255);
-
 /// One line: words, and what can be pressed.
 struct Chip {
   const char* name;
@@ -74,7 +72,7 @@ double show_chip(PanelContext& context, const Area& free, const Chip& chip, doub
     if (chip.records) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.4F * context.unit, at.y + 0.5F * context.unit},
-                                                  0.22F * context.unit, k_recording);
+                                                  0.22F * context.unit, color_of(palette().record));
       ImGui::Dummy({0.8F * context.unit, context.unit});
       ImGui::SameLine();
     }
@@ -124,7 +122,8 @@ void show_recording(const Area& free, float wide) {
   const float inset = 0.5F * wide;
   ImGui::GetBackgroundDrawList()->AddRect(
       {static_cast<float>(free.left) + inset, static_cast<float>(free.top) + inset},
-      {static_cast<float>(free.right) - inset, static_cast<float>(free.bottom) - inset}, k_recording, 0, 0, wide);
+      {static_cast<float>(free.right) - inset, static_cast<float>(free.bottom) - inset}, color_of(palette().record), 0,
+      0, wide);
 }
 
 }  // namespace

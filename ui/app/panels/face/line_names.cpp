@@ -87,7 +87,7 @@ std::vector<std::optional<Area>> show_line_names(PanelContext& context, const Ar
     const ImVec2 to{static_cast<float>(area.right), static_cast<float>(area.bottom - inset)};
     const ImU32 back = color_of(names[i].known ? k_canvas_colors.name_known : k_canvas_colors.name_guess, 0.87F);
     list.AddRectFilled(from, to, back, 0.35F * (to.y - from.y));
-    if (hovered) list.AddRect(from, to, color_of(k_canvas_colors.ink), 0.35F * (to.y - from.y), 0, 2);
+    if (hovered) list.AddRect(from, to, color_of(k_canvas_colors.ink), 0.35F * (to.y - from.y), 0, scaled(2));
     const ImVec2 size = ImGui::CalcTextSize(names[i].text.c_str());
     list.AddText({0.5F * (from.x + to.x - size.x), 0.5F * (from.y + to.y - size.y)}, color_of(k_canvas_colors.ink),
                  names[i].text.c_str());

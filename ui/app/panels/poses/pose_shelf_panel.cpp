@@ -59,7 +59,8 @@ bool show_file(PanelContext& context, const Shelf& with, const files::PoseFile& 
   const ImVec2 to = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool lit = file.pose.ok() && ImGui::IsItemHovered();
-  list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_ButtonHovered : ImGuiCol_Button), 5);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
+                     ImGui::GetStyle().FrameRounding);
   const ImU32 ink = ImGui::GetColorU32(file.pose ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   if (file.pose) {
     auto part = static_cast<std::size_t>(with.part);
@@ -82,7 +83,8 @@ bool show_file(PanelContext& context, const Shelf& with, const files::PoseFile& 
   const std::string text = fitted_text(name, width - 2 * context.gap);
   const float wide = ImGui::CalcTextSize(text.c_str()).x;
   list.AddText({0.5F * (from.x + to.x - wide), from.y + width + 0.25F * context.gap}, ink, text.c_str());
-  if (file.path == with.shown.chosen) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  if (file.path == with.shown.chosen)
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), ImGui::GetStyle().FrameRounding, 0, scaled(2.5F));
   const std::string tip = file.pose ? name + ", kept of " + (file.pose->model.empty() ? "a rig" : file.pose->model) +
                                           ". A touch takes it; the slider below takes less of it"
                                     : file.pose.error().line(stem);

@@ -24,7 +24,7 @@ struct Between {
   /// The share at a place, which sticks to the marks.
   [[nodiscard]] double share_of(float x) const {
     for (const double mark : {0.0, 0.5, 1.0}) {
-      if (std::abs(x_of(mark) - x) <= k_snap_px) return mark;
+      if (std::abs(x_of(mark) - x) <= scaled(k_snap_px)) return mark;
     }
     const double along = static_cast<double>((x - from.x - inset) / (to.x - from.x - 2 * inset));
     const double share = std::clamp(along, 0.0, 1.0) * (1 + 2 * k_overshoots) - k_overshoots;
@@ -43,14 +43,15 @@ void draw_marks(const Between& slider) {
   const float high = slider.to.y - slider.from.y;
   for (const double tick : {-0.25, 0.25, 0.75, 1.25}) {
     const float x = slider.x_of(tick);
-    list.AddLine({x, slider.to.y - 0.18F * high}, {x, slider.to.y - 2}, ImGui::GetColorU32(ImGuiCol_Text, 0.4F));
+    list.AddLine({x, slider.to.y - 0.18F * high}, {x, slider.to.y - scaled(2)},
+                 ImGui::GetColorU32(ImGuiCol_Text, 0.4F));
   }
   ImGui::PushFont(small_font());
   for (const auto& [mark, text] : {std::pair{0.0, "0"}, std::pair{0.5, "50"}, std::pair{1.0, "100"}}) {
     const float x = slider.x_of(mark);
     const float top = mark == 0.5 ? slider.to.y - 0.45F * high : slider.from.y + 2;
-    list.AddLine({x, top}, {x, slider.to.y - 2}, ImGui::GetColorU32(ImGuiCol_Text, 0.4F));
-    list.AddText({x + 3, slider.to.y - ImGui::GetFontSize() - 1}, faint, text);
+    list.AddLine({x, top}, {x, slider.to.y - scaled(2)}, ImGui::GetColorU32(ImGuiCol_Text, 0.4F));
+    list.AddText({x + scaled(3), slider.to.y - ImGui::GetFontSize() - 1}, faint, text);
   }
   ImGui::PopFont();
 }
@@ -62,15 +63,15 @@ void draw_knob(PanelContext& context, const Between& slider, double share) {
   const float middle = 0.5F * (slider.from.y + slider.to.y);
   const float rest = slider.x_of(std::clamp(share, 0.0, 1.0) < 0.5 ? 0 : 1);
   if (share < 0 || share > 1)
-    list.AddRectFilled({std::min(rest, x), slider.from.y + 3}, {std::max(rest, x), slider.to.y - 3},
+    list.AddRectFilled({std::min(rest, x), slider.from.y + scaled(3)}, {std::max(rest, x), slider.to.y - scaled(3)},
                        color_of(palette().record, 0.35F));
   draw_key({x, middle}, 0.26F * context.unit, color_of(palette().key_here), true);
   const std::string said = share < 0 || share > 1 ? percent(share) + ", overshoots" : percent(share);
   const ImVec2 size = ImGui::CalcTextSize(said.c_str());
   ImDrawList& above = *ImGui::GetForegroundDrawList();
-  const ImVec2 at{x - 0.5F * size.x, slider.from.y - size.y - 12};
-  above.AddRectFilled({at.x - 6, at.y - 4}, {at.x + size.x + 6, at.y + size.y + 4},
-                      ImGui::GetColorU32(ImGuiCol_PopupBg), 4);
+  const ImVec2 at{x - 0.5F * size.x, slider.from.y - size.y - scaled(12)};
+  above.AddRectFilled({at.x - scaled(6), at.y - scaled(4)}, {at.x + size.x + scaled(6), at.y + size.y + scaled(4)},
+                      ImGui::GetColorU32(ImGuiCol_PopupBg), ImGui::GetStyle().FrameRounding);
   above.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), said.c_str());
 }
 
@@ -110,7 +111,7 @@ void show_breakdown(PanelContext& context, const TimelineOwners& with, float wid
   } else {
     const char* name = "Between";
     const float wide = ImGui::CalcTextSize(name).x;
-    list.AddText({0.5F * (slider.from.x + slider.to.x - wide), slider.from.y + 2},
+    list.AddText({0.5F * (slider.from.x + slider.to.x - wide), slider.from.y + scaled(2)},
                  ImGui::GetColorU32(ImGuiCol_Text, 0.8F), name);
   }
   if (released && held) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/app/playback/frames.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -18,7 +19,6 @@ struct CameraKeyDrag {
 /// Under which the button is found that looks through the camera.
 constexpr const char* k_through = "Camera##look through";
 constexpr float k_camera_key_units = 0.2F;
-constexpr ImU32 k_camera_color = IM_COL32(88, 176, 240, 255), k_camera_color_here = IM_COL32(150, 214, 255, 255);
 
 /// What the pen does on the row.
 void use_camera_keys(PanelContext& context, const TimelineOwners& with, const Strip& strip, CameraKeyDrag& drag) {
@@ -91,9 +91,9 @@ void show_camera_strip(PanelContext& context, const TimelineOwners& with, Camera
     const bool dragged = drag.key && drag.key->first == key.time_s;
     const float x = strip.x_of(dragged ? drag.key->second : key.time_s);
     const bool here = dragged || std::abs(key.time_s - with.playback.time_s()) < 1e-6;
-    const ImU32 color = here ? k_camera_color_here : k_camera_color;
+    const ImU32 color = color_of(here ? palette().key_camera_here : palette().key_camera);
     if (key.kind == document::KeyKind::stepped) {
-      list.AddRectFilled({x - half, middle - half}, {x + half, middle + half}, color, 2);
+      list.AddRectFilled({x - half, middle - half}, {x + half, middle + half}, color, scaled(2));
     } else {
       row.add(x, half, color, here);
     }

@@ -47,14 +47,14 @@ std::vector<double> values_at_axis(const Graph& graph, std::size_t control, doub
 
 float value_room() { return 1.7F * ImGui::GetFontSize(); }
 
-/// Calls back with the frame and the place of each line of the time axis.
+/// Calls back with the place of each line of the time axis; the ruler has their frames.
 template <typename Each>
 void each_frame_line(PanelContext& context, const TimelineOwners& with, const Strip& strip, Each each) {
   const int rate = with.playback.rate();
   const int apart = frames_apart(strip, rate, 1.6F * context.unit);
   const auto first = static_cast<int>(std::ceil(strip.shown.from * rate / apart)) * apart;
   const double last = (strip.shown.from + strip.shown.span) * rate;
-  for (int frame = first; frame <= last; frame += apart) each(frame, strip.x_of(time_of_frame(frame, rate)));
+  for (int frame = first; frame <= last; frame += apart) each(strip.x_of(time_of_frame(frame, rate)));
 }
 
 }  // namespace
@@ -73,9 +73,7 @@ void draw_grid(PanelContext& context, const TimelineOwners& with, const Graph& g
     for (const double value : {range.minimum, range.maximum})
       across(graph.y_of(*control, value), ImGui::GetColorU32(ImGuiCol_Text, 0.22F));
   }
-  each_frame_line(context, with, strip, [&](int, float x) {
-    list.AddLine({x, strip.from.y}, {x, strip.to().y}, faint);
-  });
+  each_frame_line(context, with, strip, [&](float x) { list.AddLine({x, strip.from.y}, {x, strip.to().y}, faint); });
 }
 
 void draw_axis(PanelContext& context, const TimelineOwners& with, const Graph& graph) {
@@ -85,30 +83,26 @@ void draw_axis(PanelContext& context, const TimelineOwners& with, const Graph& g
   const ImU32 ground = ImGui::GetColorU32(ImGuiCol_FrameBg, 0.8F);
   ImGui::PushFont(small_font());
   const float high = ImGui::GetFontSize();
-  // The name stands where no number does: at the right end of the line of frames.
+  // The name stands where no value does: at the right end.
   const std::string name =
       control ? fitted_text(with.editing.words()[*control].text(), 8 * context.unit) : std::string();
-  const float name_wide = name.empty() ? 0 : ImGui::CalcTextSize(name.c_str()).x + 12;
-  each_frame_line(context, with, strip, [&](int frame, float x) {
-    const std::string number = std::to_string(frame);
-    const float wide = ImGui::CalcTextSize(number.c_str()).x;
-    if (x + wide + 3 > strip.to().x - name_wide) return;
-    list.AddText({x + 3, strip.from.y + 1}, ImGui::GetColorU32(ImGuiCol_Text, 0.6F), number.c_str());
-  });
+  const float name_wide = name.empty() ? 0 : ImGui::CalcTextSize(name.c_str()).x + scaled(12);
   if (control) {
     const double step = step_of_values(graph, *control, 1.7F * ImGui::GetIO().Fonts->Fonts[0]->FontSize);
     for (const double value : values_at_axis(graph, *control, step)) {
       const float y = graph.y_of(*control, value) - 0.5F * high;
-      if (y < strip.from.y + high - 2 || y + high > strip.to().y) continue;
+      if (y < strip.from.y || y + high > strip.to().y) continue;
       const std::string number = axis_number(value, step);
       const float wide = ImGui::CalcTextSize(number.c_str()).x;
-      list.AddRectFilled({strip.from.x, y}, {strip.from.x + wide + 6, y + high}, ground, 2);
-      list.AddText({strip.from.x + 3, y}, ImGui::GetColorU32(ImGuiCol_Text, 0.85F), number.c_str());
+      list.AddRectFilled({strip.from.x, y}, {strip.from.x + wide + scaled(6), y + high}, ground, scaled(2));
+      list.AddText({strip.from.x + scaled(3), y}, ImGui::GetColorU32(ImGuiCol_Text, 0.85F), number.c_str());
       context.targets["axis " + number] = {static_cast<double>(strip.from.x), static_cast<double>(y),
-                                           static_cast<double>(strip.from.x + wide + 6), static_cast<double>(y + high)};
+                                           static_cast<double>(strip.from.x + wide + scaled(6)),
+                                           static_cast<double>(y + high)};
     }
-    const float x = strip.to().x - name_wide + 4;
-    list.AddRectFilled({x - 4, strip.from.y}, {strip.to().x, strip.from.y + high + 3}, ground, 2);
+    const float x = strip.to().x - name_wide + scaled(4);
+    list.AddRectFilled({x - scaled(4), strip.from.y}, {strip.to().x, strip.from.y + high + scaled(3)}, ground,
+                       scaled(2));
     list.AddText({x, strip.from.y + 1}, curve_color(*control), name.c_str());
   }
   ImGui::PopFont();

@@ -44,9 +44,9 @@ std::vector<Handle> handles_of(const TimelineOwners& with, const Graph& graph) {
       // A third of the way, where a Bezier curve has its control point.
       const double at_s = key.first + (other_s - key.first) / 3;
       // One that goes beyond the graph can still be taken at its border.
-      const float top = graph.strip.from.y + k_handle_inset_px;
+      const float top = graph.strip.from.y + scaled(k_handle_inset_px);
       const float y = std::clamp(graph.y_of(control, value + slope * (at_s - key.first)), top,
-                                 std::max(top, graph.strip.to().y - k_handle_inset_px));
+                                 std::max(top, graph.strip.to().y - scaled(k_handle_inset_px)));
       handles.push_back({key, incoming, {graph.strip.x_of(at_s), y}});
     };
     if (before) {
@@ -171,7 +171,7 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
       const auto value = document::sample(timeline, control, graph.strip.time_of(x));
       if (value) line.push_back({x, graph.y_of(control, *value)});
     }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), curve_color(control), 0, 2);
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), curve_color(control), 0, scaled(2));
     std::array<float, 2> drawn_x{-1e9F, -1e9F};  // of keys, of those that are selected
     for (const document::PoseKey& key : timeline.keys) {
       if (!key.controls.has(control)) continue;
@@ -197,7 +197,7 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
     const bool held = drag.does == KeyDrag::Does::handles && drag.key_s == handle.key.first &&
                       drag.control == handle.key.second && drag.incoming == handle.incoming;
     const ImVec2 end = held && drag.pulled ? at : handle.end;
-    list.AddLine(from, end, ImGui::GetColorU32(ImGuiCol_Text, 0.7F), 1.5F);
+    list.AddLine(from, end, ImGui::GetColorU32(ImGuiCol_Text, 0.7F), scaled(1.5F));
     list.AddCircleFilled(end, 0.12F * context.unit, ImGui::GetColorU32(ImGuiCol_Text));
     const std::string name =
         std::string(handle.incoming ? "handle before " : "handle after ") + graph.parameters[handle.key.second].name;
@@ -220,11 +220,11 @@ void draw_trailing(const TimelineOwners& with, const Graph& graph) {
       const auto value = with.overlap.value_at(control, graph.strip.time_of(x));
       if (value) line.push_back({x, graph.y_of(control, *value)});
     }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), ImGui::GetColorU32(ImGuiCol_Text), 0, 2.5F);
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), ImGui::GetColorU32(ImGuiCol_Text), 0, scaled(2.5F));
     for (std::size_t k = 0; k < one.keys.times_s.size(); ++k) {
       const ImVec2 at{graph.strip.x_of(one.keys.times_s[k]), graph.y_of(control, one.keys.values[k])};
       if (at.x >= graph.strip.from.x && at.x <= graph.strip.to().x)
-        list.AddCircleFilled(at, 4, ImGui::GetColorU32(ImGuiCol_Text), 8);
+        list.AddCircleFilled(at, scaled(4), ImGui::GetColorU32(ImGuiCol_Text), 8);
     }
   }
 }
@@ -276,9 +276,10 @@ void show_curve_editor(PanelContext& context, const TimelineOwners& with, float 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(graph.strip.from, graph.strip.to(), true);
   draw_grid(context, with, graph);
+  // Curves and keys lie over the numbers of the axis, never below them.
+  draw_axis(context, with, graph);
   draw_curves(context, with, graph);
   draw_trailing(with, graph);
-  draw_axis(context, with, graph);
   show_cursor(graph.strip, with);
   if (drag.does == KeyDrag::Does::boxes && drag.pulled)
     list.AddRect({drag.from.first, drag.from.second}, at, ImGui::GetColorU32(ImGuiCol_ButtonActive));

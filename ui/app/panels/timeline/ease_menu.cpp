@@ -89,13 +89,17 @@ bool show_kind(PanelContext& context, const KeyKindInfo& one, bool on, bool amon
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool lit = ImGui::IsItemHovered();
   const Palette& colors = palette();
-  list.AddRectFilled(from, to, color_of(on ? colors.chosen : lit ? colors.hovered : colors.button), 5);
-  if (on || among) list.AddRect(from, to, color_of(colors.accent), 5, 0, 2);
+  list.AddRectFilled(from, to,
+                     color_of(on    ? colors.chosen
+                              : lit ? colors.hovered
+                                    : colors.button),
+                     ImGui::GetStyle().FrameRounding);
+  if (on || among) list.AddRect(from, to, color_of(colors.accent), ImGui::GetStyle().FrameRounding, 0, scaled(2));
   const ImU32 ink = color_of(colors.ink);
   const float side = 0.35F * context.unit;
-  const float text_y = to.y - ImGui::GetFontSize() - 3;
+  const float text_y = to.y - ImGui::GetFontSize() - scaled(3);
   draw_ease(list, one.kind, {from.x + side, from.y + 0.25F * context.unit}, {to.x - side, text_y - 0.2F * context.unit},
-            1, 2);
+            1, scaled(2));
   const float wide = ImGui::CalcTextSize(one.name).x;
   list.AddText({0.5F * (from.x + to.x - wide), text_y}, ink, one.name);
   return pressed;
@@ -148,9 +152,9 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
   const ImVec2 end{picture.x + 0.75F * context.unit, to.y - 0.28F * context.unit};
   // Of several kinds each is drawn faintly over the others.
   if (now.size() > 1) {
-    for (const document::KeyKind kind : now) draw_ease(list, kind, picture, end, 0.55F, 1.5F);
+    for (const document::KeyKind kind : now) draw_ease(list, kind, picture, end, 0.55F, scaled(1.5F));
   } else {
-    draw_ease(list, shown, picture, end, 1, 2);
+    draw_ease(list, shown, picture, end, 1, scaled(2));
   }
   if (worded) {
     const std::string text = fitted_text(name, to.x - end.x - 2 * pad);

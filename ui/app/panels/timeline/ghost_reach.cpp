@@ -4,6 +4,7 @@
 
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -62,14 +63,15 @@ void draw_ghost_reach(const TimelineOwners& with, const Strip& strip) {
   if (with.ghosts.last() == nullptr) return;
   const auto [from_s, to_s] = shown_reach(with);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 top{strip.x_of(with.ghosts.last()->time_s), strip.from.y + 2};
-  const float foot = strip.to().y - 2;
+  const ImVec2 top{strip.x_of(with.ghosts.last()->time_s), strip.from.y + scaled(2)};
+  const float foot = strip.to().y - scaled(2);
   // As much of the change as is left: all of it at its moment, nothing at the ends.
   list.AddTriangleFilled({strip.x_of(from_s), foot}, top, {strip.x_of(to_s), foot},
                          ImGui::GetColorU32(ImGuiCol_ButtonActive, 0.35F));
   for (const double end_s : {from_s, to_s}) {
     const float x = strip.x_of(end_s);
-    list.AddRectFilled({x - 3, strip.from.y}, {x + 3, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 3);
+    list.AddRectFilled({x - scaled(3), strip.from.y}, {x + scaled(3), strip.to().y},
+                       ImGui::GetColorU32(ImGuiCol_ButtonActive), scaled(3));
   }
 }
 

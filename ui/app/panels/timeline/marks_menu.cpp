@@ -4,6 +4,7 @@
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -33,7 +34,7 @@ void show_marks_menu(PanelContext& context, const TimelineOwners& with, const ch
     }
     const ImVec2 least = ImGui::GetItemRectMin();
     const ImVec2 most = ImGui::GetItemRectMax();
-    ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + 4}, {least.x + 4, most.y - 4},
+    ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + scaled(4)}, {least.x + scaled(4), most.y - scaled(4)},
                                               bookmark_color(one.color), 2);
   }
   ImGui::Separator();

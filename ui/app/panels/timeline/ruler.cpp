@@ -45,10 +45,10 @@ std::vector<Flag> flags_of(PanelContext& context, const document::Bookmarks& boo
     Flag flag{&bookmarks[i], strip.x_of(bookmarks[i].time_s), least, {}};
     if (flag.x < strip.from.x - 1 || flag.x > strip.to().x) continue;
     // Its name, as far as there is room up to the next one.
-    const float end = i + 1 < bookmarks.size() ? strip.x_of(bookmarks[i + 1].time_s) - 3 : strip.to().x;
+    const float end = i + 1 < bookmarks.size() ? strip.x_of(bookmarks[i + 1].time_s) - scaled(3) : strip.to().x;
     if (!bookmarks[i].name.empty() && end - flag.x > context.unit) {
-      flag.text = fitted_text(bookmarks[i].name, end - flag.x - 8);
-      flag.width = ImGui::CalcTextSize(flag.text.c_str()).x + 8;
+      flag.text = fitted_text(bookmarks[i].name, end - flag.x - scaled(8));
+      flag.width = ImGui::CalcTextSize(flag.text.c_str()).x + scaled(8);
     }
     flags.push_back(std::move(flag));
   }
@@ -60,7 +60,7 @@ float flag_height(const Strip& strip) { return 0.5F * strip.size.y; }
 
 const Flag* flag_below(const std::vector<Flag>& flags, const Strip& strip, ImVec2 at, float reach) {
   const Flag* hit = nullptr;
-  if (at.y > strip.from.y + flag_height(strip) + 4) return hit;
+  if (at.y > strip.from.y + flag_height(strip) + scaled(4)) return hit;
   for (const Flag& flag : flags) {
     if (at.x >= flag.x - 0.4F * reach && at.x <= flag.x + std::max(flag.width, 0.6F * reach)) hit = &flag;
   }
@@ -139,7 +139,7 @@ void draw_range(PanelContext& context, const TimelineOwners& with, const Strip& 
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_ButtonActive);
   list.AddRectFilled({from, strip.from.y}, {to, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive, 0.25F));
   const auto bracket = [&](float x, float outwards, const char* name) {
-    list.AddLine({x, strip.from.y}, {x, strip.to().y}, color, 2);
+    list.AddLine({x, strip.from.y}, {x, strip.to().y}, color, scaled(2));
     const float top = strip.from.y + 0.42F * strip.size.y;
     list.AddQuadFilled({x, top}, {x + outwards, top + 0.25F * strip.size.y}, {x + outwards, strip.to().y},
                        {x, strip.to().y}, color);
@@ -168,7 +168,7 @@ void draw_numbers(PanelContext& context, const TimelineOwners& with, const Strip
     const std::string number = std::to_string(frame);
     const float wide = ImGui::CalcTextSize(number.c_str()).x;
     const float left = std::min(x - 0.5F * wide, strip.to().x - wide - 1);
-    list.AddText({std::max(left, strip.from.x + 1), strip.from.y + 2}, faint, number.c_str());
+    list.AddText({std::max(left, strip.from.x + 1), strip.from.y + scaled(2)}, faint, number.c_str());
   }
 }
 
@@ -179,12 +179,13 @@ void draw_flags(PanelContext& context, const Strip& strip, const std::vector<Fla
     const float x = held ? ImGui::GetIO().MousePos.x : flag.x;
     const ImU32 color = bookmark_color(flag.bookmark->color);
     const float foot = strip.from.y + flag_height(strip);
-    list.AddLine({x, strip.from.y}, {x, strip.to().y}, color, 2);
+    list.AddLine({x, strip.from.y}, {x, strip.to().y}, color, scaled(2));
     if (flag.text.empty()) {
       list.AddTriangleFilled({x, strip.from.y}, {x + flag.width, 0.5F * (strip.from.y + foot)}, {x, foot}, color);
     } else {
-      list.AddRectFilled({x, strip.from.y}, {x + flag.width, foot + 1}, color, 3, ImDrawFlags_RoundCornersRight);
-      list.AddText({x + 4, strip.from.y + 0.5F * (foot - strip.from.y - ImGui::GetFontSize())},
+      list.AddRectFilled({x, strip.from.y}, {x + flag.width, foot + 1}, color, scaled(3),
+                         ImDrawFlags_RoundCornersRight);
+      list.AddText({x + scaled(4), strip.from.y + 0.5F * (foot - strip.from.y - ImGui::GetFontSize())},
                    color_of(palette().panel), flag.text.c_str());
     }
     std::string label = "bookmark ";
@@ -201,7 +202,7 @@ void draw_playhead(PanelContext& context, const TimelineOwners& with, const Stri
   const ImU32 accent = color_of(with.performer.performing() ? palette().record : palette().accent);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
-  list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
+  list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, scaled(2));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "ui/app/controls/control_parts.h"
 #include "ui/app/playback/frames.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -126,7 +127,7 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
     if (draws_curve(with, row)) {
       const float side = 0.5F * ImGui::GetFontSize();
       const float above = top + 0.5F * (row_height - side);
-      list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(row.controls.front()), 2);
+      list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(row.controls.front()), scaled(2));
       x += side + context.gap;
     }
     list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_text(row.shown, from.x + width - x).c_str());
@@ -150,8 +151,8 @@ void show_selection_bar(PanelContext& context, const TimelineOwners& with, const
   const float end = k_bar_end_units * context.unit;
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_ButtonActive);
   list.AddRectFilled({from, strip.from.y}, {to, strip.from.y + height}, color);
-  list.AddRectFilled({from - 3, strip.from.y}, {from + 3, strip.from.y + 2 * end}, color, 3);
-  list.AddRectFilled({to - 3, strip.from.y}, {to + 3, strip.from.y + 2 * end}, color, 3);
+  list.AddRectFilled({from - scaled(3), strip.from.y}, {from + scaled(3), strip.from.y + 2 * end}, color, scaled(3));
+  list.AddRectFilled({to - scaled(3), strip.from.y}, {to + scaled(3), strip.from.y + 2 * end}, color, scaled(3));
   const auto note_end = [&](const char* name, float x) {
     context.targets[name] = {static_cast<double>(x - end), static_cast<double>(strip.from.y),
                              static_cast<double>(x + end), static_cast<double>(strip.from.y + 2 * end)};

@@ -103,9 +103,10 @@ void show_keys(PanelContext& context, const TimelineOwners& with) {
     row.add(x, key.controls.whole() ? half : 0.7F * half,
             color_of(dragged || here ? palette().key_here : palette().key), here);
     // Its name, as far as there is room up to the next key.
-    const float room = i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - 4 : 1e6F;
+    const float room =
+        i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - scaled(4) : 1e6F;
     if (key.name.empty() || room < half) continue;
-    list.AddText({x + half + 3, middle - 0.5F * ImGui::GetFontSize()}, ImGui::GetColorU32(ImGuiCol_Text),
+    list.AddText({x + half + scaled(3), middle - 0.5F * ImGui::GetFontSize()}, ImGui::GetColorU32(ImGuiCol_Text),
                  fitted_text(key.name, room).c_str());
   }
   list.PopClipRect();

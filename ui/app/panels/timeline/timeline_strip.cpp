@@ -74,7 +74,7 @@ Strip begin_strip(PanelContext& context, const TimelineOwners& with, const char*
   if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
     zoom_track(with, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
   }
-  ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), scaled(4));
   return strip;
 }
 
@@ -97,7 +97,7 @@ std::string axis_number(double value, double step) {
 void show_cursor(const Strip& strip, const TimelineOwners& with) {
   const float x = strip.x_of(with.playback.time_s());
   ImGui::GetWindowDrawList()->AddLine({x, strip.from.y}, {x, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive),
-                                      2);
+                                      scaled(2));
 }
 
 void draw_key(ImVec2 middle, float half, ImU32 color, bool strong) {
@@ -107,7 +107,7 @@ void draw_key(ImVec2 middle, float half, ImU32 color, bool strong) {
   const ImVec2 right{middle.x + half, middle.y};
   const ImVec2 bottom{middle.x, middle.y + half};
   list.AddQuadFilled(left, top, right, bottom, color);
-  list.AddQuad(left, top, right, bottom, color_of(palette().key_edge), strong ? 2.5F : 1);
+  list.AddQuad(left, top, right, bottom, color_of(palette().key_edge), scaled(strong ? 2.5F : 1));
 }
 
 float least_apart(const Strip& strip, float half) { return std::max(1.2F * half, strip.size.x / 150); }

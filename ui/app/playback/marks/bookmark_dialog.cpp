@@ -5,6 +5,7 @@
 #include "ui/app/panels/timeline/timeline_strip.h"
 #include "ui/app/playback/frames.h"
 #include "ui/app/playback/marks/bookmark_steps.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -24,8 +25,8 @@ void show_bookmark_dialog(PanelContext& context, EditingSession& editing, const 
         entry.color = color;
       const ImVec2 least = ImGui::GetItemRectMin();
       const ImVec2 most = ImGui::GetItemRectMax();
-      ImGui::GetWindowDrawList()->AddRectFilled({least.x + 6, least.y + 6}, {most.x - 6, most.y - 6},
-                                                bookmark_color(color), 4);
+      ImGui::GetWindowDrawList()->AddRectFilled({least.x + scaled(6), least.y + scaled(6)},
+                                                {most.x - scaled(6), most.y - scaled(6)}, bookmark_color(color), 4);
     }
     ImGui::Dummy({1, context.gap});
     if (wide_button(context, "Keep##bookmark", 3.4F * context.unit) || context.accepts) {

@@ -26,7 +26,8 @@ bool picture_tile(PanelContext& context, const char* label, const PictureTile& t
   const float wide = ImGui::CalcTextSize(shown.c_str()).x;
   list.AddText({0.5F * (from.x + to.x - wide), from.y + tile.width + 0.25F * context.gap},
                ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
-  if (tile.chosen) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  if (tile.chosen)
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), ImGui::GetStyle().FrameRounding, 0, scaled(2.5F));
   return pressed;
 }
 

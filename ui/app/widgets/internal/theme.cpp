@@ -16,6 +16,8 @@ void use_theme(bool light, float scale) {
   ImGui::GetIO().UserData = const_cast<Palette*>(&palette_of(light));
 }
 
+float scaled(float px) { return px * ImGui::GetStyle().MouseCursorScale; }
+
 ImGuiStyle theme_style(bool light, float scale) {
   ImGuiStyle style;
   if (light) {
@@ -67,6 +69,8 @@ ImGuiStyle theme_style(bool light, float scale) {
   style.ScaleAllSizes(scale);
   // A line of status is lower than ImGui's least window, which would lie over the panel below it.
   style.WindowMinSize = {1, 1};
+  // ImGui draws no cursor here; scaled() reads it.
+  style.MouseCursorScale = scale;
   return style;
 }
 

@@ -62,6 +62,8 @@ struct Palette {
   Rgb key_selected;  ///< in the sheet and in the curves
   Rgb key_group;     ///< of a whole group
   Rgb key_edge;
+  Rgb key_camera;  ///< of the camera
+  Rgb key_camera_here;
   std::array<Rgb, 6> curves;  ///< of controls in the editor, told apart by all eyes
   // The canvas.
   Rgb canvas_top;
@@ -93,6 +95,8 @@ inline constexpr Palette k_dark_palette{
     .key_selected = 0xffffff,
     .key_group = 0xbe8c3c,
     .key_edge = 0x3c2800,
+    .key_camera = 0x58b0f0,
+    .key_camera_here = 0xb4e0ff,
     .curves = {0xe69f00, 0x56b4e9, 0x00a57c, 0xdf6a10, 0xcc79a7, 0x5f8fe0},
     .canvas_top = 0x50535c,
     .canvas_foot = 0x2b2c32,
@@ -123,6 +127,8 @@ inline constexpr Palette k_light_palette{
     .key_selected = 0x1b1b21,
     .key_group = 0x8f6a2c,
     .key_edge = 0x3c2800,
+    .key_camera = 0x1f6fae,
+    .key_camera_here = 0x123f66,
     .curves = {0x8a5f00, 0x1f78b0, 0x00785a, 0xb84c00, 0xa8467f, 0x3f63b8},
     .canvas_top = 0xe9eaee,
     .canvas_foot = 0xc4c8cf,

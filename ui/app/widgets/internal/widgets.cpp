@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "ui/app/view/toast_place.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/theme.h"
 
@@ -31,6 +32,11 @@ void draw_padlock(ImDrawList& list, const ImVec2& middle, float unit, bool close
   list.PathArcTo({x, foot}, bow, k_pi, 2 * k_pi, 12);
   if (closed) list.PathLineTo({x + bow, top});
   list.PathStroke(ink, 0, 0.06F * unit);
+}
+
+bool overlap(const Area& area, ImVec2 corner, ImVec2 size) {
+  return area.left < static_cast<double>(corner.x + size.x) && static_cast<double>(corner.x) < area.right &&
+         area.top < static_cast<double>(corner.y + size.y) && static_cast<double>(corner.y) < area.bottom;
 }
 
 }  // namespace
@@ -72,6 +78,15 @@ void tooltip(PanelContext& context, const char* text) {
   if (pivot.x == 0) {
     const float wide = ImGui::CalcTextSize(text, nullptr, false, most_wide).x + 2 * ImGui::GetStyle().WindowPadding.x;
     at.x = std::max(0.0F, std::min(at.x, static_cast<float>(context.window.width) - wide - context.gap));
+  }
+  // What is said stays readable: the tip goes below it, or above it where there is no room.
+  const ImVec2 inner = ImGui::CalcTextSize(text, nullptr, false, most_wide);
+  const ImVec2 size{inner.x + 2 * ImGui::GetStyle().WindowPadding.x, inner.y + 2 * ImGui::GetStyle().WindowPadding.y};
+  const ImVec2 corner{at.x - pivot.x * size.x, at.y - pivot.y * size.y};
+  if (const auto& said = context.own.of<ToastPlace>().area; said && overlap(*said, corner, size)) {
+    const bool room = said->bottom + static_cast<double>(size.y + context.gap) < context.window.height;
+    pivot.y = room ? 0 : 1;
+    at.y = room ? static_cast<float>(said->bottom) + context.gap : static_cast<float>(said->top) - context.gap;
   }
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::BeginTooltip();

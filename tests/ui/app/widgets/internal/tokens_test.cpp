@@ -45,11 +45,12 @@ std::vector<Pair> words_of(const Palette& p) {
 }
 
 std::vector<Pair> signs_of(const Palette& p) {
-  std::vector<Pair> out{{"recording", p.record, p.panel}, {"not recording", p.idle, p.panel},
-                        {"an error", p.error, p.popup},   {"the accent on a panel", p.accent, p.panel},
-                        {"a notice", p.accent, p.popup},  {"a tour's card", p.asks, p.panel},
-                        {"performing", p.record, p.field}};
-  for (const Rgb key : {p.key, p.key_here, p.key_selected, p.key_group}) out.push_back({"a key", key, p.field});
+  std::vector<Pair> out{{"recording", p.record, p.panel},  {"not recording", p.idle, p.panel},
+                        {"an error", p.error, p.popup},    {"the accent on a panel", p.accent, p.panel},
+                        {"a notice", p.accent, p.popup},   {"a tour's card", p.asks, p.panel},
+                        {"performing", p.record, p.field}, {"performing on the canvas", p.record, p.popup}};
+  for (const Rgb key : {p.key, p.key_here, p.key_selected, p.key_group, p.key_camera, p.key_camera_here})
+    out.push_back({"a key", key, p.field});
   for (const Rgb curve : p.curves) out.push_back({"a curve", curve, p.field});
   return out;
 }
@@ -86,6 +87,7 @@ TEST(Tokens, KeysAreToldApart) {
     const Palette& p = palette_of(light);
     EXPECT_GE(contrast(p.key, p.key_here), 1.3) << light;
     EXPECT_GE(contrast(p.key, p.key_selected), 1.6) << light;
+    EXPECT_GE(contrast(p.key_camera, p.key_camera_here), 1.6) << light;
   }
 }
 
