@@ -21,8 +21,8 @@ from screen_picture import HEIGHT, WIDTH
 LOADED = screen_picture.MESA + [screen_picture.FONT]
 
 # A stroke along a brow and one above it, in which the pen is unplugged, in parts of the window, and frames of each.
-BROW = ((0.395, 0.315), (0.460, 0.315), 45)
-STROKES = [BROW, ((0.395, 0.290), (0.460, 0.285), 40)]
+BROW = ((0.545, 0.315), (0.604, 0.312), 45)
+STROKES = [BROW, ((0.545, 0.290), (0.604, 0.285), 40)]
 
 
 def ink_on_brow(picture):

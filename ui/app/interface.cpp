@@ -27,6 +27,8 @@ constexpr double k_tip_s = 0.55;
 constexpr float k_still_px = 3;
 /// So much of a window's width and height is the canvas at least, and so many targets, as far as there is room.
 constexpr double k_least_canvas = 0.35, k_least_targets_across = 7, k_least_targets_down = 4.5;
+/// Tools and the panel at the side stand at once where so much of its width is left between them.
+constexpr double k_canvas_between = 0.5;
 /// And so much of its width where the panel at the side is a rail; else there is no rail.
 constexpr double k_canvas_beside_rail = 0.72;
 /// So far, in targets, a press may tremble before it is a drag.
@@ -260,7 +262,7 @@ void Interface::show_all(PanelContext& context) {
   bottom = timeline_height(bottom, most, unit + 2 * gap, std::min(6 * unit, 0.35 * height));
   double left = static_cast<double>(toolbar.width);
   // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
-  panels_.narrow = width - left - right < std::max(k_least_canvas * width, k_least_targets_across * unit);
+  panels_.narrow = width - left - right < std::max(k_canvas_between * width, k_least_targets_across * unit);
   if (panels_.narrow) {
     right = panels_.side_in_turn ? std::min(open, (1 - k_least_canvas) * width) : 0;
     if (panels_.side_in_turn) left = 0;

@@ -10,9 +10,9 @@ WindowTool draw_tool() {
                      "C12 12 9M8 8.5L9.5 8.5M14.5 8.5L16 8.5M7.5 14L10 16.5L14 16.5L16.5 14", plain_key('d')},
           .hint = [](const ToolSight& sight) -> std::string {
             if (!sight.document.face)
-              return "Draw the face as it should be: a mouth, a brow, a lid; what each line is, is found";
+              return "Draw the face as it should be: a mouth, a brow, a lid; each line finds its feature";
             for (const auto& line : sight.document.face->lines) {
-              if (line.feature.empty()) return "Draw on, or touch a name to say what a line is: one is nothing known";
+              if (line.feature.empty()) return "One line is not recognised: touch its name to say what it is, or draw on";
             }
             return "Draw on, or touch a name to say what a line is";
           },

@@ -17,8 +17,8 @@ using geometry::ModelPoint;
 // How far lines may stray in the mean, px of the picture in which the tour was drawn.
 constexpr double k_feature_px = 20, k_target_px = 20, k_lasso_px = 34;
 constexpr double k_near_s = 0.25;
-/// A slider that was pulled so much of the way is at its end.
-constexpr double k_pulled = 0.75;
+/// A slider is pulled where it should be within this share of its range.
+constexpr double k_pulled = 0.2;
 
 /// What a command draws, and in which view; null: it draws nothing.
 struct Drawn {
@@ -273,12 +273,13 @@ TourGuide::Answer TourGuide::judge() const {
             "That is frame " + frame_text(document.time_s, rate) + ": go to frame " + frame_text(to->time_s, rate),
             false};
   }
-  if (command.holds<document::SetParameters>()) {
+  if (const auto* set = command.get_if<document::SetParameters>()) {
     const auto number = rig::find_parameter(document.model->rig->parameters(), last_control(document));
     if (!number) return {false, "The control is gone: Undo brings it back", false};
     const rig::Parameter& parameter = document.model->rig->parameters()[*number];
-    if (document.pose[*number] >= k_pulled * parameter.maximum) return {true, {}};
-    return {false, "Further to the right: to the slider's end", false};
+    const double left = set->values.front().value - document.pose[*number];
+    if (std::abs(left) <= k_pulled * (parameter.maximum - parameter.minimum)) return {true, {}};
+    return {false, left < 0 ? "Further to the left" : "Further to the right", false};
   }
   if (const auto* key = command.get_if<document::SetKey>(); key != nullptr && key->time_s > 0) {
     const auto& keys = document.timeline->keys;

@@ -160,18 +160,19 @@ TEST(Tour, ThreeLinesMakeTheControlOfTheSecond) {
   ASSERT_NE(found, nullptr) << slider;
   const Area at = *found;
   const PxPoint middle = at.middle();
-  // Half of the way is not its end.
-  desk.app->of<Controls>().set_parameter(0, 0.4);
+  // Its target is where it stands at first, and its rest is not the middle.
+  EXPECT_FALSE(desk.app->of<TourGuide>().done());
+  desk.app->of<Controls>().set_parameter(0, 0.1);
   desk.frames();
   EXPECT_FALSE(desk.app->of<TourGuide>().done());
-  EXPECT_NE(desk.app->of<TourGuide>().again(), "");
-  const PxPoint end{at.right + 40, middle.y};
-  desk.app->of<Pointer>().moved(middle);
-  desk.app->of<Pointer>().button(MouseButton::left, true, middle);
-  desk.frames();
+  EXPECT_EQ(desk.app->of<TourGuide>().again(), "Further to the right");
+  const PxPoint end{at.left + 10, middle.y};
   desk.app->of<Pointer>().moved(end);
+  desk.app->of<Pointer>().button(MouseButton::left, true, end);
   desk.frames();
-  desk.app->of<Pointer>().button(MouseButton::left, false, end);
+  desk.app->of<Pointer>().moved(middle);
+  desk.frames();
+  desk.app->of<Pointer>().button(MouseButton::left, false, middle);
   desk.frames();
   EXPECT_TRUE(desk.app->of<TourGuide>().done()) << desk.app->of<TourGuide>().again();
 }
