@@ -155,6 +155,8 @@ struct LivePoser::State {
     const Choice same = selection.fit(choice.units);
     Choice next = selection.select(same, k_most_units);
     if (!choice.units.empty() && next.energy > same.energy - k_lets_go) next = same;
+    // Whoever pulls wants something to follow, if less likely than that it stays.
+    if (next.units.empty()) next = selection.best_of_one().value_or(next);
     reader().redraw(0, line, aligned(line));
     reader().settle(true);
     // Each look starts where the last one led: the line bends, and points slide along it.

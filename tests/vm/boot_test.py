@@ -21,7 +21,7 @@ import screen_picture
 MEMORY_MB = 128
 # Along the mouth of the built-in head and where it should go, in shares of a screen of this size.
 SIZE = (800, 480)
-LINES = [[(0.362 + 0.006 * i, 0.452 + 0.0003 * i * (8 - i)) for i in range(9)], [(0.357 + 0.00725 * i, 0.43 + 0.002 * i * (8 - i)) for i in range(9)]]
+LINES = [[(0.5335 + 0.006 * i, 0.452 + 0.0003 * i * (8 - i)) for i in range(9)], [(0.5285 + 0.00725 * i, 0.43 + 0.002 * i * (8 - i)) for i in range(9)]]
 MODULES = 'virtio_pci virtio_blk ext4 virtio_console bochs hid hid-generic uhid usbhid evdev xhci-pci'.split()
 SWAP = 'lzo lzo-rle zram'.split()
 

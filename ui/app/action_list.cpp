@@ -10,6 +10,7 @@
 #include "ui/app/hand_actions.h"
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/owners.h"
+#include "ui/app/playback/keys.h"
 #include "ui/app/playback/time_actions.h"
 #include "ui/app/tools/tool.h"
 #include "ui/app/view/backdrop.h"
@@ -85,7 +86,7 @@ void close_dialog(Dialogs& dialogs, Preferences& preferences) {
 
 void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
             SuggestionOffer& offer, Playback& playback, Controls& controls, OverlapOffer& overlap, ToolInHand& tool,
-            KeptFeatures& features) {
+            KeptFeatures& features, Keys& keys) {
   if (panels.radial) {
     panels.radial.reset();
   } else if (panels.feature_menu) {
@@ -108,6 +109,8 @@ void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Prefe
     controls.end_trial();
   } else if (playback.while_drawing().performs && !features.shown()) {
     tool.perform_or_end();
+  } else if (!keys.selected().empty()) {
+    keys.selected().clear();
   } else {
     features.hide();
   }
@@ -140,6 +143,11 @@ void flip_pose(EditingSession& editing, Notices& notices) {
 template <typename Enum>
 Enum next_of(Enum value, int count) {
   return static_cast<Enum>((static_cast<int>(value) + 1) % count);
+}
+
+void delete_what_is_meant(CurvesInHand& curves, Keys& keys) {
+  if (keys.selected().empty()) return curves.delete_lit();
+  keys.remove();
 }
 
 void clear_curves(EditingSession& editing) {
@@ -196,8 +204,8 @@ constexpr std::array k_actions{
      does([](Playback& playback) { playback.redo(); }), does([](EditingSession& editing) { return editing.steps().can_redo() > 0; })},
     ActionInfo{{"clear_curves"}, "Clear", shift('x'), {}, "Remove all lines; the pose stays",
      "M5 7L19 7M9 7L9 4L15 4L15 7M7 7L8 20L16 20L17 7", does<clear_curves>},
-    ActionInfo{{"delete_curve"}, "Delete", plain(k_key_delete), plain('x'), "Delete the curve under the pen",
-     "M4 16L9 11L13 14L16 11M16 16L21 21M21 16L16 21", does([](CurvesInHand& curves) { curves.delete_lit(); })},
+    ActionInfo{{"delete_curve"}, "Delete", plain(k_key_delete), plain('x'), "Delete the selected keys, else the curve under the pen",
+     "M4 16L9 11L13 14L16 11M16 16L21 21M21 16L16 21", does<delete_what_is_meant>},
     ActionInfo{{"keep_curve"}, "Keep", plain('h'), {}, "Keep the line under the pen where it is now",
      "M4 13L9 18L20 6", does([](CurvesInHand& curves) { curves.keep_lit(); })},
     ActionInfo{{"reset_pose"}, "Rest pose", ctrl('r'), {}, "Put the whole character back to rest",

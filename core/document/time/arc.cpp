@@ -22,11 +22,22 @@ constexpr double k_least_change_share = 1e-5;
 constexpr double k_least_effect_px = 0.05;
 constexpr int k_rounds = 6;
 
+/// Controls are enough that leave no more of the way than this, or than so many px.
+constexpr double k_enough_share = 0.15, k_enough_px = 2;
+
+/// Which controls are used: the next ones only where these are not enough.
+enum class Tier : std::uint8_t {
+  moving,  ///< those that move in these moments anyway
+  shapes,  ///< and shapes and sketched controls
+  all,     ///< and joints
+};
+
 /// A control that may move, in shares of its range.
 struct FreeControl {
   std::size_t parameter = 0;
   double range = 1;
   double cost = 1;
+  Tier tier = Tier::moving;
 };
 
 /// `starts`: the poses of all frames.
@@ -42,7 +53,8 @@ std::vector<FreeControl> free_controls(const Document& document, const ArcView& 
     const bool varies = std::any_of(starts.begin(), starts.end(), [&](const rig::Pose& pose) {
       return std::abs(pose[i] - starts.front()[i]) > k_least_change_share * range;
     });
-    free.push_back({i, range, varies ? 1 : k_other_cost});
+    const Tier tier = varies ? Tier::moving : i < weight_count(*document.model) ? Tier::shapes : Tier::all;
+    free.push_back({i, range, varies ? 1 : k_other_cost, tier});
   }
   return free;
 }
@@ -139,6 +151,21 @@ class FrameSolver {
   std::vector<FreeControl> free_;
 };
 
+/// The controls up to a tier.
+std::vector<FreeControl> up_to(std::vector<FreeControl> free, Tier tier) {
+  std::erase_if(free, [&](const FreeControl& one) { return one.tier > tier; });
+  return free;
+}
+
+/// How far the point is from its places, px at most.
+double farthest(const ArcView& view, std::span<const rig::Pose> poses, std::span<const PxPoint> places) {
+  double most = 0;
+  for (std::size_t f = 0; f < poses.size(); ++f) {
+    if (const auto at = view.at(poses[f])) most = std::max(most, geometry::distance(*at, places[f]));
+  }
+  return most;
+}
+
 /// The timeline with the keys of a fit.
 Timeline keyed(const Document& document, const KeyFit& fit, std::span<const double> moments,
                std::span<const std::size_t> changed) {
@@ -220,14 +247,21 @@ base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoi
   const ArcView view(document, point, camera);
   const std::span<const double> moments = target.moments_s;
   const std::vector<rig::Pose> starts = poses_of_timeline(document, moments);
-  const FrameSolver solver(document, view, free_controls(document, view, starts));
-  if (solver.free().empty()) return base::Error{"no control that is free moves this point", "point", "unlock one"};
-  std::vector<rig::Pose> poses = starts;
-  for (std::size_t f = 0; f < moments.size(); ++f) {
-    if (const auto solved = solver.solve(poses[f], target.points[f]); !solved) return solved.error();
+  const std::vector<FreeControl> free = free_controls(document, view, starts);
+  if (free.empty()) return base::Error{"no control that is free moves this point", "point", "unlock one"};
+  const double enough = std::max(k_enough_px, k_enough_share * farthest(view, starts, target.points));
+  std::vector<rig::Pose> poses;
+  for (const Tier tier : {Tier::moving, Tier::shapes, Tier::all}) {
+    const FrameSolver solver(document, view, up_to(free, tier));
+    if (solver.free().empty()) continue;
+    poses = starts;
+    for (std::size_t f = 0; f < moments.size(); ++f) {
+      if (const auto solved = solver.solve(poses[f], target.points[f]); !solved) return solved.error();
+    }
+    if (farthest(view, poses, target.points) <= enough) break;
   }
   std::vector<std::size_t> changed;
-  for (const FreeControl& control : solver.free()) {
+  for (const FreeControl& control : free) {
     bool any = false;
     for (std::size_t f = 0; f < moments.size() && !any; ++f)
       any = std::abs(poses[f][control.parameter] - starts[f][control.parameter]) > k_least_change_share * control.range;

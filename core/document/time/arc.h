@@ -46,7 +46,8 @@ struct ArcTarget {
                                      std::span<const double> moments_s, std::span<const PxPoint> now);
 
 /// The timeline with an arc as it should be: at each moment the controls that move the point change as little as they
-/// can, those that move in these moments anyway before others, within their ranges; what comes of it is fitted by as
+/// can, within their ranges. Those that move in these moments anyway do it alone where that is enough; else shapes and
+/// sketched controls help, and joints only where these are not enough. What comes of it is fitted by as
 /// few keys as keep it within 0.7 px. Outside of the moments nothing changes. Controls that are locked stay. Errors:
 /// the point is behind the eye, or nothing that is free moves it.
 [[nodiscard]] base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoint& point,

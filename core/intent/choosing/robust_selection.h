@@ -29,6 +29,8 @@ class RobustSelection {
   [[nodiscard]] Choice extend(Choice first, std::size_t most);
   /// The best of all that the last selection tried, each once, at most `window` above the first.
   [[nodiscard]] std::vector<Choice> best(std::size_t count, double window) const;
+  /// The best single unit that the last selection tried; nothing where it tried none.
+  [[nodiscard]] std::optional<Choice> best_of_one() const { return best_beside({}); }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
 
  private:

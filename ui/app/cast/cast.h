@@ -80,6 +80,8 @@ class Cast {
   void describe(std::size_t character, const io::CastMember& like);
   /// Looks at all that are shown, from where one looks.
   void frame_all();
+  /// Looks at the face of the one that is worked on, from its front.
+  void frame_active() { canvas_.begin(); }
   void rename(std::size_t character, const std::string& name);
   void show(std::size_t character, bool shown);
   void place(std::size_t character, const geometry::Placement& placement);

@@ -24,6 +24,8 @@ constexpr const char* k_eye_closed = "M3 11A12 11 9 180 360M6 15L4 17M12 17L12 2
 
 void show_cast(PanelContext& context, const Area& /*area*/, Canvas& canvas, Cast& cast, ToolInHand& tool,
                PanelState& panels) {
+  auto& bar = context.own.of<CanvasBars>().cast;
+  bar.reset();
   if (!cast.several() || !panels.shown) return;
   const auto gap = static_cast<double>(context.gap);
   const Area free = canvas.free_area();
@@ -56,8 +58,8 @@ void show_cast(PanelContext& context, const Area& /*area*/, Canvas& canvas, Cast
   const double room = std::max(free.width() - 4.5 * static_cast<double>(context.unit), 2.0 * context.unit);
   const double width = std::min(static_cast<double>(wide + 2 * padding.x), room);
   const double height = static_cast<double>(context.unit + 2 * padding.y);
-  if (begin_panel(context, "characters", {free.left + gap, top, free.left + gap + width, top + height}))
-    row.show(ImGui::GetContentRegionAvail().x);
+  bar = Area{free.left + gap, top, free.left + gap + width, top + height};
+  if (begin_panel(context, "characters", *bar)) row.show(ImGui::GetContentRegionAvail().x);
   end_panel();
 }
 

@@ -22,8 +22,11 @@ namespace fs = std::filesystem;
 
 void show_recover_dialog(PanelContext& context, Recovery& recovery) {
   if (begin_dialog(context, "There is work that was not saved", 13)) {
-    const std::string name = recovery.abandoned().empty() ? "" : fs::path(recovery.abandoned().front()).stem().string();
-    ImGui::TextWrapped("The session %s is safe, to the last stroke.", name.c_str());
+    const std::string path = recovery.abandoned().empty() ? "" : recovery.abandoned().front();
+    const std::string file = work_of_session(path);
+    const std::string name = fs::path(path).stem().string();
+    ImGui::TextWrapped("Your work on %s is safe, to the last stroke (session %s).",
+                       file.empty() ? "a model" : file.c_str(), name.c_str());
     if (primary_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
       recovery.recover(true);
     } else {

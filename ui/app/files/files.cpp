@@ -126,11 +126,7 @@ base::Status Files::open(const std::string& path) {
   if (!document) return document.error();
   begin_session(std::move(*document), path, k_alone);
   parts_.features.begin(!path.starts_with("builtin:"));
-  if (!parts_.preferences.settings().pose_first) {
-    drawing::Tool draw;
-    draw.kind = drawing::ToolKind::draw;
-    parts_.editing.set_tool(draw);
-  }
+  take_first_tool();
   if (files::is_older_project(path)) {
     for (const std::string& note : parts_.editing.document().model->notes) parts_.notices.tell(note);
   }
@@ -141,6 +137,13 @@ base::Status Files::open(const std::string& path) {
     parts_.dialogs.state<FileChoice>().folder = fs::path(path_).parent_path().string();
   }
   return base::Done{};
+}
+
+void Files::take_first_tool() {
+  if (parts_.preferences.settings().pose_first) return;
+  drawing::Tool draw;
+  draw.kind = drawing::ToolKind::draw;
+  parts_.editing.set_tool(draw);
 }
 
 base::Status Files::open_session(const std::string& path) {

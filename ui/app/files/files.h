@@ -95,6 +95,8 @@ class Files {
   void begin_session(document::Document document, const std::string& path, const Joins& joins);
   void resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file, const Joins& joins);
   void join(const Joins& joins);
+  /// The tool that is in hand after opening something.
+  void take_first_tool();
   void open_cast(files::LoadedCast loaded, const std::string& path, bool beside);
   base::Status bring_back_member(const io::CastMember& member, const Joins& joins);
   base::Status save_all(const std::string& path);

@@ -34,7 +34,11 @@ void Files::open_cast(files::LoadedCast loaded, const std::string& path, bool be
   }
   if (!beside) parts_.cast.mark_saved();
   work_on(first + loaded.cast.active);
-  if (!beside) parts_.cast.mark_saved();
+  if (!beside) {
+    parts_.cast.mark_saved();
+    take_first_tool();
+    parts_.cast.frame_active();
+  }
   set_project(project_);
 }
 
@@ -172,6 +176,13 @@ base::Status Files::bring_back_cast(const io::Cast& cast) {
   }
   if (!any) return base::Error{"none of the characters can be brought back", "", "open their sessions one by one"};
   work_on(active);
+  parts_.cast.frame_active();
+  // A character in whose session nothing was done yet does not know where all of them were saved.
+  for (const io::CastMember& member : cast.members) {
+    if (project_.empty() && !member.session.empty()) project_ = project_of_session(member.session);
+    const std::string file = files::model_name(member.model).file;
+    if (project_.empty() && cast.members.size() > 1 && files::is_project(file)) project_ = file;
+  }
   return base::Done{};
 }
 

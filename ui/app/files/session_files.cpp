@@ -8,8 +8,10 @@
 #include <unistd.h>
 #include <utility>
 
+#include "replay/session/session_line.h"
 #include "replay/trace/trace_reader.h"
 #include "ui/files/files.h"
+#include "ui/files/load_model.h"
 #include "ui/files/poses/pose_folder.h"
 #include "ui/files/session_model.h"
 #include "ui/files/trace_file.h"
@@ -143,6 +145,25 @@ base::Status SessionFile::keep_model(const std::string& model) {
 }
 
 std::string project_of_session(const std::string& path) { return note_of(path).project; }
+
+std::string work_of_session(const std::string& path) {
+  std::string work = project_of_session(path);
+  const auto file = files::open_plain(path);
+  if (work.empty() && file) {
+    // The model is named in one of the first lines.
+    constexpr int k_lines = 8;
+    replay::TraceReader lines(files::read_from_file(file->get()));
+    for (int i = 0; i < k_lines && work.empty(); ++i) {
+      const auto line = lines.next();
+      if (!line || !*line) break;
+      const std::string_view text = (*line)->text;
+      const auto said = replay::parse_session_line(text.substr(text.starts_with("# ") ? 2 : 0));
+      if (!said || !*said) continue;
+      if (const auto* model = std::get_if<replay::ModelNamed>(&**said)) work = model->path;
+    }
+  }
+  return fs::path(files::model_name(work).file).filename().string();
+}
 
 SessionFile::~SessionFile() {
   static_cast<void>(writer_.flush(true));

@@ -27,6 +27,8 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   if (all.empty()) return;
   Area free = canvas.free_area();
   if (const auto& readings = context.own.of<ReadingsPlace>().area) free.bottom = readings->top;
+  const CanvasBars& bars = context.own.of<CanvasBars>();
+  if (bars.reference) free.bottom = std::min(free.bottom, bars.reference->top);
   if (const auto& film = context.own.of<FilmPlace>().area) free.top = film->bottom;
   // What a dialog has to tell is not to lie in its shade.
   const bool dialog = dialogs.open() != Dialog::none;

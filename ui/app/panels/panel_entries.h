@@ -19,6 +19,12 @@ struct FilmPlace {
   std::optional<Area> area;
 };
 
+/// Bars over the canvas that others leave room for; nothing: it is not there.
+struct CanvasBars {
+  std::optional<Area> cast;       ///< the characters, above
+  std::optional<Area> reference;  ///< what is done with the reference in hand, at the foot
+};
+
 /// Which parameters are listed.
 struct ParameterList {
   std::string filter;
@@ -69,6 +75,7 @@ struct TimelineShown {
   double seen_time_s = 0;                             ///< where the cursor was last brought into sight
   std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   std::string frame_text;                             ///< what is being typed as a frame
+  bool frame_typed = false;                           ///< it is being typed
 };
 
 /// The row of other readings.

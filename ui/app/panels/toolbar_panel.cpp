@@ -10,6 +10,7 @@
 #include "ui/app/tools/tool.h"
 #include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // Tools, and what is done to all that is drawn.
@@ -37,13 +38,15 @@ std::vector<int> tool_groups() {
   return groups;
 }
 
+/// Px between two tools, one above the other: most have no ground.
+float tool_spacing() { return scaled(2); }
+
 float toolbar_height(const PanelContext& context, int across) {
-  const ImGuiStyle& style = ImGui::GetStyle();
   const auto groups = tool_groups();
-  float height = 2 * style.WindowPadding.y;
-  for (const int count : groups)
-    height += static_cast<float>((count + across - 1) / across) * (context.unit + style.ItemSpacing.y);
-  return height + static_cast<float>(groups.size() - 1) * (context.gap + style.ItemSpacing.y) - style.ItemSpacing.y;
+  const float spacing = tool_spacing();
+  float height = 2 * ImGui::GetStyle().WindowPadding.y;
+  for (const int count : groups) height += static_cast<float>((count + across - 1) / across) * (context.unit + spacing);
+  return height + static_cast<float>(groups.size() - 1) * (context.gap + spacing) - spacing;
 }
 
 /// The widest of all words with their icons, whatever is in hand.
@@ -130,7 +133,9 @@ void show_toolbar(PanelContext& context, const Area& area, EditingSession& editi
   const bool shown = begin_panel(context, "tools", area, true);
   ImGui::PopStyleVar();
   if (shown) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, tool_spacing()});
     show_tools(context, context.own.of<ToolbarLayout>(), editing, offer, tool);
+    ImGui::PopStyleVar();
   }
   end_panel();
 }

@@ -13,11 +13,12 @@
 namespace penpose::app {
 namespace {
 
-/// "mouthSmile_L, jawOpen and 3 more".
-std::string listed(const std::vector<std::string>& names) {
+/// "smile, left; jaw opens and 3 more".
+std::string listed(EditingSession& editing, const std::vector<std::string>& names) {
   constexpr std::size_t k_most = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(k_most, names.size()); ++i) text += (i > 0 ? ", " : "") + names[i];
+  for (std::size_t i = 0; i < std::min(k_most, names.size()); ++i)
+    text += (i > 0 ? "; " : "") + editing.words_of(names[i]);
   if (names.size() > k_most) text += " and " + std::to_string(names.size() - k_most) + " more";
   return text;
 }
@@ -126,7 +127,7 @@ bool Performer::end() {
   take_ = Take{performance.first_s(), performance.last_s(), performance.frame_count(),
                keys.times_s.size(),   document.timeline,    steps_};
   const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed with " +
-                            std::to_string(keys.times_s.size()) + " keys: " + listed(keys.names);
+                            std::to_string(keys.times_s.size()) + " keys: " + listed(editing_, keys.names);
   editing_.last_stroke().say(keyed);
   return true;
 }

@@ -51,10 +51,12 @@ void name_film(Dialogs& dialogs) {
   dialogs.show(Dialog::film);
 }
 
-/// Shows a part of the timeline, or the moments of keys alone where it is shown.
-void show_part(PanelState& panels, TimelinePart part) {
+/// Shows a part of the timeline, or the moments of keys alone where it is shown: what is selected in it is not seen
+/// then, and nothing is done to it unseen.
+void show_part(PanelState& panels, Keys& keys, TimelinePart part) {
   TimelinePart& shown = panels.own.of<TimelineShown>().part;
   shown = shown == part ? TimelinePart::poses : part;
+  if (shown == TimelinePart::poses) keys.selected().clear();
   panels.shown = true;
 }
 
@@ -184,7 +186,7 @@ constinit const std::array k_time_actions{
     ActionInfo{{"dope_sheet"}, "Sheet", plain_stroke('t'), {},
      "A row for each control: its keys selected, moved, copied, scaled in time",
      "M3 6L21 6M3 12L21 12M3 18L21 18M8 4L10 6L8 8L6 6ZM16 10L18 12L16 14L14 12ZM8 16L10 18L8 20L6 18Z",
-     does([](PanelState& panels) { show_part(panels, TimelinePart::sheet); })},
+     does([](PanelState& panels, Keys& keys) { show_part(panels, keys, TimelinePart::sheet); })},
     ActionInfo{{"clips"}, "Clips", ctrl_stroke('t'), {},
      "Clips of this file: animations that came with it and those that were made",
      "M3 5L21 5L21 9L3 9Z M3 12L15 12L15 16L3 16Z M3 19L19 19",
@@ -195,7 +197,7 @@ constinit const std::array k_time_actions{
      does([](OverlapOffer& overlap) { return overlap.open() ? overlap.dismiss() : overlap.begin(); })},
     ActionInfo{{"curve_editor"}, "Curves", shift_stroke('t'), {}, "The curves of controls, with handles",
      "M3 20L6 18L9 10L12 6L15 8L18 16L21 18M9 10L15 2",
-     does([](PanelState& panels) { show_part(panels, TimelinePart::curves); })},
+     does([](PanelState& panels, Keys& keys) { show_part(panels, keys, TimelinePart::curves); })},
     action_of_kind<document::KeyKind::smooth>("kind_smooth", "Smooth keys", "Rounded, and never beyond the keys, from this key to the next",
      "M3 19L7 18L11 14L13 10L17 6L21 5"),
     action_of_kind<document::KeyKind::linear>("kind_linear", "Linear keys", "At one pace, from this key to the next",

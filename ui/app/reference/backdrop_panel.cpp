@@ -4,6 +4,7 @@
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
+#include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/reference/reference_desk.h"
@@ -153,7 +154,11 @@ void show_doubt(PanelContext& context, const BackdropPanelOwners& with, const Ar
 void show_backdrop(PanelContext& context, const Area& free, Canvas& canvas, CanvasLook& look, Playback& playback,
                    ReferenceDesk& references, Dialogs& dialogs) {
   const BackdropPanelOwners with{canvas, look, playback, references, dialogs};
+  auto& bar = context.own.of<CanvasBars>().reference;
+  bar.reset();
   if (dialogs.open() != Dialog::none) return;
+  const bool asks = references.reads() != nullptr || !references.doubt().empty();
+  if (asks || (look.backdrop && look.backdrop->adjusting)) bar = foot_of(context, free, k_backdrop_bar_units);
   if (references.reads() != nullptr) return show_reading(context, with, free);
   if (!references.doubt().empty()) return show_doubt(context, with, free);
   const auto backdrop = look.backdrop;

@@ -117,7 +117,8 @@ void EditingSession::after_steps(const document::Document& before, bool solved) 
   last_.grow_old();
   const bool same_rig = before.model == document().model;
   const document::CurveId drawn = new_target(before, document());
-  if (!same_rig || (before.pose == document().pose && !drawn)) return;
+  const bool face_line = solved && document().face && document().face != before.face;
+  if (!same_rig || (before.pose == document().pose && !drawn && !face_line)) return;
   last_.forget();
   // Only a stroke finds parameters; what a slider or the timeline sets is known.
   if (solved) last_.look_at(before, document(), drawn, shown_.whole_model());

@@ -13,13 +13,17 @@ namespace {
 constexpr std::size_t k_named = 3;
 
 std::string why_nothing_moved(EditingSession& editing) {
+  const bool restricted = !editing.document().locked.empty();
+  if (editing.last_stroke().left_px() < 0) {
+    return restricted ? "no control that may move brings the face nearer to the line: free the others in the panel"
+                      : "the face already is near the line, or no control brings it nearer";
+  }
   if (editing.last_stroke().within_hand(editing.document(), editing.editor().view().viewport))
     return "the curve already is where the line was drawn";
   const std::vector<std::string> others = words_of_readings(editing.document(), editing.words());
   if (!others.empty()) return "the nearest would be " + others.front();
-  return editing.document().locked.empty()
-             ? "no control of this model moves the curve towards the line"
-             : "no unlocked control moves the curve towards the line: unlock some in the panel";
+  return !restricted ? "no control of this model moves the curve towards the line"
+                     : "no unlocked control moves the curve towards the line: unlock some in the panel";
 }
 
 std::string number(const char* format, double value) {
@@ -55,8 +59,9 @@ std::string moved_text(EditingSession& editing, const std::vector<Movement>& mov
 std::string outcome_of(EditingSession& editing) {
   if (const std::string said = editing.last_stroke().text(); !said.empty()) return said;
   const auto& movements = editing.last_stroke().movements();
-  const bool nothing_moved = movements.empty() && editing.last_stroke().is_newest();
   const auto& face = editing.document().face;
+  const LastStroke& last = editing.last_stroke();
+  const bool nothing_moved = movements.empty() && (last.is_newest() || (face && last.is_fresh()));
   const bool drawn = !editing.document().curves.empty() || face;
   if ((movements.empty() && !nothing_moved) || !drawn ||
       editing.editor().tool().kind == drawing::ToolKind::articulate) {

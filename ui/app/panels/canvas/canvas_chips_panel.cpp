@@ -5,6 +5,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/controls/restriction.h"
+#include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/playback/performer.h"
 #include "ui/app/tools/tool_in_hand.h"
@@ -130,7 +131,8 @@ void show_recording(const Area& free, float wide) {
 
 void show_canvas_chips(PanelContext& context, const Area& free, EditingSession& editing, Playback& playback,
                        Performer& performer, ToolInHand& tool, Controls& controls, Restriction& restriction) {
-  double top = free.top + static_cast<double>(context.gap);
+  const auto& cast = context.own.of<CanvasBars>().cast;
+  double top = (cast ? cast->bottom : free.top) + static_cast<double>(context.gap);
   if (performer.performing()) show_recording(free, 0.5F * context.gap);
   const bool performs = playback.while_drawing().performs;
   if (performer.performing() || (performs && tool.now().pulls) || performer.take() != nullptr) {

@@ -92,18 +92,20 @@ bool is_moved(const SidePanelOwners& with, std::size_t index) {
 
 /// Which parameters are listed: those whose words or names say what is searched for, and where it is asked for those
 /// alone that are not at rest. One that is locked there goes on being listed, so that it can be freed where it was
-/// locked.
+/// locked; and all do while the pointer is over them, so that none comes to lie under it that was not meant.
 std::vector<bool> wanted_parameters(const SidePanelOwners& with) {
   const auto parameters = with.editing.document().model->rig->parameters();
   ParameterList& list = with.panels.own.of<ParameterList>();
   if (!list.moved_only) list.moved.clear();
   std::vector<bool> wanted(parameters.size());
   const auto words = with.editing.words();
+  const bool hovered =
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string& name = parameters[i].name;
     bool moved = is_moved(with, i);
     if (list.moved_only) {
-      moved = moved || (list.moved.contains(name) && is_locked(with.editing, name));
+      moved = moved || (list.moved.contains(name) && (hovered || is_locked(with.editing, name)));
       if (moved) {
         list.moved.insert(name);
       } else {

@@ -103,7 +103,7 @@ void draw_axis(PanelContext& context, const TimelineOwners& with, const Graph& g
     const float x = strip.to().x - name_wide + scaled(4);
     list.AddRectFilled({x - scaled(4), strip.from.y}, {strip.to().x, strip.from.y + high + scaled(3)}, ground,
                        scaled(2));
-    list.AddText({x, strip.from.y + 1}, curve_color(*control), name.c_str());
+    list.AddText({x, strip.from.y + 1}, curve_color(with, *control), name.c_str());
   }
   ImGui::PopFont();
 }

@@ -171,7 +171,7 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
       const auto value = document::sample(timeline, control, graph.strip.time_of(x));
       if (value) line.push_back({x, graph.y_of(control, *value)});
     }
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), curve_color(control), 0, scaled(2));
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), curve_color(with, control), 0, scaled(2));
     std::array<float, 2> drawn_x{-1e9F, -1e9F};  // of keys, of those that are selected
     for (const document::PoseKey& key : timeline.keys) {
       if (!key.controls.has(control)) continue;
@@ -186,8 +186,8 @@ void draw_curves(PanelContext& context, const TimelineOwners& with, const Graph&
             graph.strip.x_of(on_frame(key.time_s + graph.strip.time_of(at.x) - drag.begin_s, with.playback.rate()));
         point.y += at.y - drag.from.second;
       }
-      draw_key(point, k_point_units * context.unit, chosen ? color_of(palette().key_selected) : curve_color(control),
-               chosen);
+      draw_key(point, k_point_units * context.unit,
+               chosen ? color_of(palette().key_selected) : curve_color(with, control), chosen);
     }
   }
   for (const Handle& handle : handles_of(with, graph)) {
@@ -251,9 +251,11 @@ void choose_first(const TimelineOwners& with, std::span<const rig::Parameter> pa
 
 }  // namespace
 
-ImU32 curve_color(std::size_t control) {
+ImU32 curve_color(const TimelineOwners& with, std::size_t control) {
   const auto& colors = palette().curves;
-  return color_of(colors[control % colors.size()]);
+  const auto& chosen = with.shown().chosen;
+  const auto before = static_cast<std::size_t>(std::distance(chosen.begin(), chosen.lower_bound(control)));
+  return color_of(colors[before % colors.size()]);
 }
 
 void show_curve_editor(PanelContext& context, const TimelineOwners& with, float height) {

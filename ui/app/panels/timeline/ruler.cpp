@@ -62,7 +62,7 @@ const Flag* flag_below(const std::vector<Flag>& flags, const Strip& strip, ImVec
   const Flag* hit = nullptr;
   if (at.y > strip.from.y + flag_height(strip) + scaled(4)) return hit;
   for (const Flag& flag : flags) {
-    if (at.x >= flag.x - 0.4F * reach && at.x <= flag.x + std::max(flag.width, 0.6F * reach)) hit = &flag;
+    if (at.x >= flag.x - 0.15F * reach && at.x <= flag.x + std::max(flag.width, 0.6F * reach)) hit = &flag;
   }
   return hit;
 }

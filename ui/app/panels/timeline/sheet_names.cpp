@@ -127,10 +127,10 @@ void show_row_names(PanelContext& context, const TimelineOwners& with, std::span
     if (draws_curve(with, row)) {
       const float side = 0.5F * ImGui::GetFontSize();
       const float above = top + 0.5F * (row_height - side);
-      list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(row.controls.front()), scaled(2));
+      list.AddRectFilled({x, above}, {x + side, above + side}, curve_color(with, row.controls.front()), scaled(2));
       x += side + context.gap;
     }
-    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_text(row.shown, from.x + width - x).c_str());
+    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), fitted_name(row.shown, from.x + width - x).c_str());
   }
   if (pointed) {
     const auto parameters = with.editing.document().model->rig->parameters();

@@ -19,6 +19,8 @@ namespace {
 /// The frame of the playhead, to be typed over.
 void show_frame_field(PanelContext& context, const TimelineOwners& with, float width) {
   bool accepted = false;
+  bool& typed = with.shown().frame_typed;
+  if (!typed) with.shown().frame_text = frame_text(with.playback.time_s(), with.playback.rate());
   text_field(context, "##frame", with.shown().frame_text, width, "frame", &accepted);
   tooltip(context, "Type a frame, or seconds such as 1.5s");
   if (accepted) {
@@ -29,7 +31,7 @@ void show_frame_field(PanelContext& context, const TimelineOwners& with, float w
                         true);
     }
   }
-  if (!ImGui::IsItemActive()) with.shown().frame_text = frame_text(with.playback.time_s(), with.playback.rate());
+  typed = ImGui::IsItemActive();
 }
 
 void show_rate(PanelContext& context, const TimelineOwners& with, float width) {

@@ -110,7 +110,7 @@ class KeyRow {
 [[nodiscard]] float least_apart(const Strip& strip, float half);
 
 /// The colour of the curve of a control.
-[[nodiscard]] ImU32 curve_color(std::size_t control);
+[[nodiscard]] ImU32 curve_color(const TimelineOwners& with, std::size_t control);
 
 /// How far the last change of a ghost goes, where there is one, over the row of keys that is shown next: its ends are
 /// hit before the keys (ghost_reach.cpp). Call `draw_ghost_reach` when the row is drawn.

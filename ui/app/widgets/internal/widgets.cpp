@@ -110,6 +110,15 @@ std::string fitted_text(std::string_view text, float width) {
   return std::string(text.substr(0, end)) + std::string(k_ellipsis);
 }
 
+std::string fitted_name(std::string_view name, float width) {
+  for (const auto& [side, sign] : {std::pair<std::string_view, std::string_view>{", left", " L"}, {", right", " R"}}) {
+    if (!name.ends_with(side) || ImGui::CalcTextSize(name.data(), name.data() + name.size()).x <= width) continue;
+    const float end = ImGui::CalcTextSize(sign.data(), sign.data() + sign.size()).x;
+    return fitted_text(name.substr(0, name.size() - side.size()), width - end) + std::string(sign);
+  }
+  return fitted_text(name, width);
+}
+
 void text_line(PanelContext& context, std::string_view text, float width, ImU32 color) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const std::string shown = fitted_text(text, std::max(0.0F, width - 2 * context.gap));

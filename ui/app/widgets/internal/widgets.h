@@ -42,6 +42,8 @@ bool quiet_icon(PanelContext& context, const char* label, std::string_view icon,
 bool menu_entry(PanelContext& context, const char* label, std::string_view icon, std::string_view key, const char* tip);
 /// A text as far as it fits, with an ellipsis where it does not.
 [[nodiscard]] std::string fitted_text(std::string_view text, float width);
+/// The same of a control's name, whose side stays to be told: "outer brow ra… L".
+[[nodiscard]] std::string fitted_name(std::string_view name, float width);
 /// A line of text in a place of its own, no wider than that.
 void text_line(PanelContext& context, std::string_view text, float width, ImU32 color);
 
