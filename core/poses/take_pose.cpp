@@ -185,8 +185,8 @@ std::string words_of(const KeptPose& pose, const TakenPose& taken) {
                                             " by the lines that it was drawn with"};
   std::string text = "\"" + pose.name + "\" is taken" + k_by[static_cast<std::size_t>(taken.way)];
   if (taken.left && *taken.left >= 0.05)
-    text += "; " + std::to_string(static_cast<int>(std::round(100 * std::min(*taken.left, 9.99)))) +
-            " % of what it asks for is left";
+    text += "; " + std::to_string(static_cast<int>(std::round(100 * std::max(0.0, 1 - *taken.left)))) +
+            " % of it is reached";
   if (!taken.missing.empty()) text += "; nothing here stands for " + listed(taken.missing);
   if (!taken.clamped.empty()) text += "; at the end of its range: " + listed(taken.clamped);
   return text;

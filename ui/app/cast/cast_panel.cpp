@@ -58,7 +58,7 @@ void show_cast(PanelContext& context, const Area& /*area*/, Canvas& canvas, Cast
   const double room = std::max(free.width() - 4.5 * static_cast<double>(context.unit), 2.0 * context.unit);
   const double width = std::min(static_cast<double>(wide + 2 * padding.x), room);
   const double height = static_cast<double>(context.unit + 2 * padding.y);
-  bar = Area{free.left + gap, top, free.left + gap + width, top + height};
+  bar = Area{free.left + gap, top, free.left + gap + width + 1, top + height};
   if (begin_panel(context, "characters", *bar)) row.show(ImGui::GetContentRegionAvail().x);
   end_panel();
 }
