@@ -12,7 +12,8 @@ WindowTool draw_tool() {
             if (!sight.document.face)
               return "Draw the face as it should be: a mouth, a brow, a lid; each line finds its feature";
             for (const auto& line : sight.document.face->lines) {
-              if (line.feature.empty()) return "One line is not recognised: touch its name to say what it is, or draw on";
+              if (line.feature.empty())
+                return "One line is not recognised: touch its name to say what it is, or draw on";
             }
             return "Draw on, or touch a name to say what a line is";
           },
