@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/algebra/cholesky.h"
 #include "core/curve/polyline.h"
@@ -24,6 +25,9 @@ constexpr int k_rounds = 6;
 
 /// Controls are enough that leave no more of the way than this, or than so many px.
 constexpr double k_enough_share = 0.15, k_enough_px = 2;
+
+/// Of shapes that do not move yet, so many are tried one by one before all are used.
+constexpr int k_most_added = 4;
 
 /// Which controls are used: the next ones only where these are not enough.
 enum class Tier : std::uint8_t {
@@ -66,6 +70,25 @@ class FrameSolver {
       : parameters_(document.model->rig->parameters()), view_(view), free_(std::move(free)) {}
 
   [[nodiscard]] const std::vector<FreeControl>& free() const { return free_; }
+  void add(const FreeControl& control) { free_.push_back(control); }
+  [[nodiscard]] bool uses(const FreeControl& control) const {
+    return std::any_of(free_.begin(), free_.end(),
+                       [&](const FreeControl& one) { return one.parameter == control.parameter; });
+  }
+  /// How far the point would be from its place where a control alone went on from a pose, px.
+  [[nodiscard]] double left_by(const FreeControl& control, const rig::Pose& pose, const PxPoint& target) const {
+    const auto now = view_.at(pose);
+    if (!now) return 1e300;
+    const PxPoint effect = effect_of(control, pose, *now);
+    const PxPoint away = target - *now;
+    const double square = geometry::dot(effect, effect);
+    if (!(square > 0)) return 1e300;
+    const rig::Parameter& range = parameters_[control.parameter];
+    const double value = pose[control.parameter];
+    const double share = std::clamp(geometry::dot(effect, away) / square, (range.minimum - value) / control.range,
+                                    (range.maximum - value) / control.range);
+    return geometry::distance(effect * share, away);
+  }
   /// Errors: the point is behind the eye.
   base::Status solve(rig::Pose& pose, const PxPoint& target) const {
     const rig::Pose start = pose;
@@ -166,6 +189,22 @@ double farthest(const ArcView& view, std::span<const rig::Pose> poses, std::span
   return most;
 }
 
+/// The shape beside those of a solver that alone brings the frames nearest to their places; nothing: none is left.
+std::optional<FreeControl> best_shape(const FrameSolver& solver, std::span<const FreeControl> free,
+                                      std::span<const rig::Pose> poses, std::span<const PxPoint> places) {
+  std::optional<FreeControl> best;
+  double least = 1e300;
+  for (const FreeControl& one : free) {
+    if (one.tier != Tier::shapes || solver.uses(one)) continue;
+    double left = 0;
+    for (std::size_t f = 0; f < poses.size(); ++f) left += solver.left_by(one, poses[f], places[f]);
+    if (!(left < least)) continue;
+    least = left;
+    best = one;
+  }
+  return best;
+}
+
 /// The timeline with the keys of a fit.
 Timeline keyed(const Document& document, const KeyFit& fit, std::span<const double> moments,
                std::span<const std::size_t> changed) {
@@ -250,16 +289,27 @@ base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoi
   const std::vector<FreeControl> free = free_controls(document, view, starts);
   if (free.empty()) return base::Error{"no control that is free moves this point", "point", "unlock one"};
   const double enough = std::max(k_enough_px, k_enough_share * farthest(view, starts, target.points));
-  std::vector<rig::Pose> poses;
-  for (const Tier tier : {Tier::moving, Tier::shapes, Tier::all}) {
-    const FrameSolver solver(document, view, up_to(free, tier));
-    if (solver.free().empty()) continue;
+  std::vector<rig::Pose> poses = starts;
+  const auto solve = [&](const FrameSolver& solver) -> base::Result<bool> {
+    if (solver.free().empty()) return false;
     poses = starts;
     for (std::size_t f = 0; f < moments.size(); ++f) {
       if (const auto solved = solver.solve(poses[f], target.points[f]); !solved) return solved.error();
     }
-    if (farthest(view, poses, target.points) <= enough) break;
+    return farthest(view, poses, target.points) <= enough;
+  };
+  FrameSolver few(document, view, up_to(free, Tier::moving));
+  auto done = solve(few);
+  for (int added = 0; done && !*done && added < k_most_added; ++added) {
+    const auto next = best_shape(few, free, poses, target.points);
+    if (!next) break;
+    few.add(*next);
+    done = solve(few);
   }
+  for (const Tier tier : {Tier::shapes, Tier::all}) {
+    if (done && !*done) done = solve(FrameSolver(document, view, up_to(free, tier)));
+  }
+  if (!done) return done.error();
   std::vector<std::size_t> changed;
   for (const FreeControl& control : free) {
     bool any = false;

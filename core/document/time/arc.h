@@ -47,9 +47,9 @@ struct ArcTarget {
 
 /// The timeline with an arc as it should be: at each moment the controls that move the point change as little as they
 /// can, within their ranges. Those that move in these moments anyway do it alone where that is enough; else shapes and
-/// sketched controls help, and joints only where these are not enough. What comes of it is fitted by as
-/// few keys as keep it within 0.7 px. Outside of the moments nothing changes. Controls that are locked stay. Errors:
-/// the point is behind the eye, or nothing that is free moves it.
+/// sketched controls help, as few as are enough, and joints only where all of these are not. What comes of it is fitted
+/// by as few keys as keep it within 0.7 px. Outside of the moments nothing changes. Controls that are locked stay.
+/// Errors: the point is behind the eye, or nothing that is free moves it.
 [[nodiscard]] base::Result<Timeline> with_arc(const Document& document, const posing::CurvePoint& point,
                                               const geometry::Camera& camera, const ArcTarget& target);
 

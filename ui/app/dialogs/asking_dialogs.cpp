@@ -26,7 +26,7 @@ void show_recover_dialog(PanelContext& context, Recovery& recovery) {
     const std::string file = work_of_session(path);
     const std::string name = fs::path(path).stem().string();
     ImGui::TextWrapped("Your work on %s is safe, to the last stroke (session %s).",
-                       file.empty() ? "a model" : file.c_str(), name.c_str());
+                       file.empty() ? "the built-in head" : file.c_str(), name.c_str());
     if (primary_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
       recovery.recover(true);
     } else {

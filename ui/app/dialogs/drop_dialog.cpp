@@ -21,7 +21,7 @@ void show_drop_dialog(PanelContext& context, DropDesk& drops) {
     bool usual = true;
     bool answered = false;
     for (const DropDeed deed : deeds_of(drops.kind())) {
-      if (!drops.offers(deed) || answered) continue;
+      if (answered) break;
       const DropDeedWords words = words_of(deed);
       const std::string label = std::string(words.label) + "##drop";
       const bool pressed = usual ? primary_button(context, label.c_str(), -1, words.tip)

@@ -75,7 +75,7 @@ void DropDesk::answer(DropDeed deed) {
       waiting_.clear();
       return with_.leaving.ask_to_open(path);
     case DropDeed::add_beside:
-      if (add_beside_) add_beside_(path);
+      if (const auto added = with_.files.add(path); !added) with_.notices.tell(added.error().line(path), true);
       break;
     case DropDeed::lay_sound:
       with_.sound.open(path);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@ class DropDesk {
     Notices& notices;
     Dialogs& dialogs;
     Leaving& leaving;
+    Files& files;
     SoundTrack& sound;
     ReferenceDesk& references;
     Playback& playback;
@@ -30,8 +30,6 @@ class DropDesk {
   };
   explicit DropDesk(With with) : with_(std::move(with)) {}
 
-  /// Who adds a model beside the one that is open; none: nobody offers it.
-  void set_add_beside(std::function<void(const std::string& path)> add) { add_beside_ = std::move(add); }
   /// Another program than this one reads drawings and takes.
   void use_program(std::string program) { with_.program = std::move(program); }
 
@@ -43,7 +41,6 @@ class DropDesk {
   [[nodiscard]] DroppedKind kind() const { return kind_; }
   /// How many more wait behind it.
   [[nodiscard]] std::size_t more() const { return waiting_.empty() ? 0 : waiting_.size() - 1; }
-  [[nodiscard]] bool offers(DropDeed deed) const { return deed != DropDeed::add_beside || add_beside_ != nullptr; }
   /// Does it, and goes on to the next file.
   void answer(DropDeed deed);
   /// Nothing is done with it, nor with those behind it.
@@ -60,7 +57,6 @@ class DropDesk {
   void take_keys();
 
   With with_;
-  std::function<void(const std::string& path)> add_beside_;
   std::deque<std::string> waiting_;
   DroppedKind kind_ = DroppedKind::unknown;
   std::unique_ptr<ProgramRun> run_;

@@ -133,17 +133,21 @@ std::optional<document::RedrawArc> arc_meant(const document::Document& document,
                                              const document::View& view, std::span<const PxPoint> line,
                                              std::span<const double> shares, bool paced, int rate, double within_px) {
   if (line.size() < 2) return std::nullopt;
+  // The line begins and ends on one arc: where several are near its beginning, its end tells which.
   const ShownArc* arc = nullptr;
-  NearFrame begin{0, within_px};
+  NearFrame begin;
+  NearFrame end;
+  double least = 2 * within_px;
   for (const ShownArc& one : arcs) {
-    const NearFrame near = nearest_frame(one, line.front());
-    if (near.px > begin.px) continue;
-    begin = near;
+    const NearFrame from = nearest_frame(one, line.front());
+    const NearFrame to = nearest_frame(one, line.back());
+    if (from.px > within_px || to.px > within_px || from.frame == to.frame || from.px + to.px > least) continue;
+    least = from.px + to.px;
+    begin = from;
+    end = to;
     arc = &one;
   }
   if (arc == nullptr) return std::nullopt;
-  const NearFrame end = nearest_frame(*arc, line.back());
-  if (end.px > within_px || end.frame == begin.frame) return std::nullopt;
   const bool stays = std::all_of(line.begin(), line.end(), [&](const PxPoint& at) {
     return curve::distance_to(arc->places, at) <= k_on_arc_share * within_px;
   });

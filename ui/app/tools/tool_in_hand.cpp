@@ -97,7 +97,11 @@ void ToolInHand::release() {
       tool.shows_arcs ? parts_.arcs.of(document, parts_.editing.features(), view, rate) : std::span<const ShownArc>();
   const bool paced = parts_.playback.while_drawing().performs;
   const auto command = tool.means({document, view, line, shares, arcs, paced, rate, 0.5 * parts_.canvas.target_px()});
-  if (command) parts_.editing.perform(*command);
+  if (command) {
+    parts_.editing.perform(*command);
+  } else if (tool.shows_arcs && !is_touch(line, view.viewport)) {
+    parts_.notices.tell("Nothing changed: begin and end the line on frames of one arc");
+  }
 }
 
 }  // namespace penpose::app

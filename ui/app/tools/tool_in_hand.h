@@ -5,6 +5,7 @@
 
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/controls/controls.h"
+#include "ui/app/notices.h"
 #include "ui/app/playback/arcs.h"
 #include "ui/app/playback/ghosts.h"
 #include "ui/app/playback/performer.h"
@@ -24,6 +25,7 @@ class ToolInHand {
     const Canvas& canvas;
     ArcsInSight& arcs;
     GhostHand& ghosts;
+    Notices& notices;
   };
   explicit ToolInHand(const Parts& parts) : parts_(parts) {}
 

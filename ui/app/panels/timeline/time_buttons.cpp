@@ -191,7 +191,8 @@ void show_time_buttons(PanelContext& context, const TimelineOwners& with) {
   const float used = row.show(ImGui::GetContentRegionAvail().x);
   const float left = ImGui::GetContentRegionAvail().x - used;
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", with.playback.time_s(), held->keys.size());
+  std::snprintf(text.data(), text.size(), "%.2f s   %zu %s", with.playback.time_s(), held->keys.size(),
+                held->keys.size() == 1 ? "key" : "keys");
   if (left < ImGui::CalcTextSize(text.data()).x + 3 * context.gap) return;
   ImGui::SameLine();
   text_beside(context, text.data());
