@@ -137,11 +137,13 @@ std::optional<document::RedrawArc> arc_meant(const document::Document& document,
   const ShownArc* arc = nullptr;
   NearFrame begin;
   NearFrame end;
-  double least = 2 * within_px;
+  double least = 3 * within_px;
   for (const ShownArc& one : arcs) {
     const NearFrame from = nearest_frame(one, line.front());
     const NearFrame to = nearest_frame(one, line.back());
-    if (from.px > within_px || to.px > within_px || from.frame == to.frame || from.px + to.px > least) continue;
+    // Arcs of neighbouring lines lie over each other: one end may have been put on the other one's.
+    const auto [nearer, farther] = std::minmax(from.px, to.px);
+    if (nearer > within_px || farther > 2 * within_px || from.frame == to.frame || nearer + farther > least) continue;
     least = from.px + to.px;
     begin = from;
     end = to;

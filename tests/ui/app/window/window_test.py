@@ -249,7 +249,7 @@ def pen_alone(program, screen, folder, session):
     pen = PenTrace(head)
     pen.hold(640, 400, False, 1)
     pen.tap(640, 589)  # Begin
-    pen.tap(24, 252)  # Rig
+    pen.tap(24, 231)  # Rig
     for line in (GENERAL, SPECIFIC, RAISED):
         pen.stroke(line)
     pen.tap(66, 72)  # Pose

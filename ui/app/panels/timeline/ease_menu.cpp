@@ -146,7 +146,7 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   const float pad = 0.22F * context.unit;
   // The picture alone, where there is room for no more.
-  const bool worded = width > 2 * context.unit;
+  const bool worded = width >= 0.75F * context.unit + 3 * pad + ImGui::CalcTextSize(name.c_str()).x;
   const float left = worded ? from.x + pad : 0.5F * (from.x + to.x - 0.75F * context.unit);
   const ImVec2 picture{left, from.y + 0.28F * context.unit};
   const ImVec2 end{picture.x + 0.75F * context.unit, to.y - 0.28F * context.unit};
@@ -157,8 +157,7 @@ void show_ease(PanelContext& context, const TimelineOwners& with, float width) {
     draw_ease(list, shown, picture, end, 1, scaled(2));
   }
   if (worded) {
-    const std::string text = fitted_text(name, to.x - end.x - 2 * pad);
-    list.AddText({end.x + pad, from.y + 0.5F * (to.y - from.y - ImGui::GetFontSize())}, ink, text.c_str());
+    list.AddText({end.x + pad, from.y + 0.5F * (to.y - from.y - ImGui::GetFontSize())}, ink, name.c_str());
   }
   show_kinds_menu(context, with, now);
   ImGui::PopID();
