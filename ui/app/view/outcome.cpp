@@ -15,7 +15,7 @@ constexpr std::size_t k_named = 3;
 std::string why_nothing_moved(EditingSession& editing) {
   const bool restricted = !editing.document().locked.empty();
   if (editing.last_stroke().left_px() < 0) {
-    if (const auto& face = editing.document().face; face && face->lines.back().feature.empty())
+    if (const auto& face = editing.document().face; face && !face->lines.empty() && face->lines.back().feature.empty())
       return "the line is not recognised: touch its name to say what it is";
     return restricted ? "no control that may move brings the face nearer to the line: free the others in the panel"
                       : "the face already is near the line, or no control brings it nearer";

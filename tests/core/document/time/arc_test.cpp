@@ -84,6 +84,25 @@ TEST(Arc, ARedrawnPathIsMetWithFewKeysAndNothingElseChanges) {
   EXPECT_LE(hand.keys_within(1, 2), 5U);
 }
 
+TEST(Arc, AControlThatRestsStaysIfThoseThatMoveAreEnough) {
+  ArcHand hand;
+  for (std::size_t k = 0; k < 4; ++k) {
+    hand.does(SetParameters{{{"lift", 0.2 * static_cast<double>(k)}, {"lean", 0.1}}});
+    hand.does(SetKey{static_cast<double>(k), ""});
+  }
+  const auto moments = frames(1, 2);
+  const auto before = hand.places(moments);
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double u = static_cast<double>(i) / static_cast<double>(before.size() - 1);
+    shares.push_back(u * (0.5 + 0.5 * u));
+  }
+  hand.does(hand.redrawn(1, 2, before, shares));
+  EXPECT_GT(geometry::distance(hand.places(moments)[12], before[12]), 1) << "its pace is another one";
+  const auto lean = rig::find_parameter(hand.document().model->rig->parameters(), "lean").value();
+  for (const rig::Pose& pose : poses_of_timeline(hand.document(), moments)) EXPECT_NEAR(pose[lean], 0.1, 1e-12);
+}
+
 TEST(Arc, TheSpacingStaysUnlessTheLineHasAPaceOfItsOwn) {
   ArcHand hand;
   const auto moments = frames(0, 1);

@@ -123,6 +123,25 @@ TEST(Sheet, SelectedKeysAreDeletedAndChangedInKind) {
   EXPECT_EQ(desk.keys("mouth_corner_L"), (std::vector<double>{0, 1, 2, 3}));
 }
 
+TEST(Sheet, DeleteRemovesTheSelectedKeysAndEscapeOrClosingTheSheetDropsThem) {
+  SheetDesk desk("sheet-delete");
+  const auto touch_key = [&] {
+    desk.touch(desk.on_row("row jaw", 1));
+    ASSERT_EQ(desk.app->of<Keys>().selected().size(), 1U);
+  };
+  desk.press('t');
+  touch_key();
+  desk.hit_escape();
+  EXPECT_TRUE(desk.app->of<Keys>().selected().empty());
+  touch_key();
+  desk.press('t');
+  EXPECT_TRUE(desk.app->of<Keys>().selected().empty()) << "nobody sees what would be changed";
+  desk.press('t');
+  touch_key();
+  desk.press(k_key_delete);
+  EXPECT_EQ(desk.keys("jaw"), (std::vector<double>{0, 2, 3}));
+}
+
 TEST(Sheet, ANameTouchedSelectsAllKeysOfItsControl) {
   SheetDesk desk("sheet-name");
   desk.press('t');

@@ -6,6 +6,7 @@
 #include "ui/app/face/feature_words.h"
 #include "ui/app/panels/panel_state.h"
 #include "ui/app/session/reading_offer.h"
+#include "ui/app/view/outcome.h"
 
 // The tool Draw: a face drawn over the built-in head, with names beside its lines.
 
@@ -49,6 +50,17 @@ TEST(DrawTool, ALineMovesItsFeatureAndIsNamedBesideIt) {
   desk.frames();
   EXPECT_EQ(desk.document().face, nullptr);
   EXPECT_EQ(desk.interface->find("line 1"), nullptr);
+}
+
+TEST(DrawTool, WhereNothingMayMoveItIsSaid) {
+  Desk desk("draw-restricted");
+  desk.begin();
+  desk.app->of<Actions>().run(Action{"only_mouth"});
+  desk.frames();
+  desk.click("Draw");
+  desk.stroke(desk.named_curve("brow_L", {0, -14}));
+  EXPECT_TRUE(outcome_of(desk.app->of<EditingSession>()).starts_with("Nothing moved: no control that may move"))
+      << outcome_of(desk.app->of<EditingSession>());
 }
 
 TEST(DrawTool, TheFaceFollowsWhileALineIsDrawn) {
