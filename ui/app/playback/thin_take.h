@@ -7,7 +7,7 @@
 namespace penpose::app {
 
 /// How far a control's curve may be off on the screen, px.
-inline constexpr double k_take_px = 2;
+inline constexpr double k_take_px = 0.5;
 
 /// A take with the few keys that it needs: with what the timeline has, no vertex of the model is off at any frame by
 /// more than k_take_px of the view. Its first and last moment stay. `all`: the take frame by frame. Precondition: the
