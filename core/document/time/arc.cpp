@@ -23,10 +23,10 @@ constexpr double k_least_change_share = 1e-5;
 constexpr double k_least_effect_px = 0.05;
 constexpr int k_rounds = 6;
 
-/// Controls are enough that leave no more of the way than this, or than so many px.
+/// A set of controls is enough if it leaves at most this share of the way, or at most so many px.
 constexpr double k_enough_share = 0.15, k_enough_px = 2;
 
-/// Of shapes that do not move yet, so many are tried one by one before all are used.
+/// The solver adds up to so many resting shapes one by one before it takes all of them.
 constexpr int k_most_added = 4;
 
 /// Which controls are used: the next ones only where these are not enough.
@@ -189,7 +189,7 @@ double farthest(const ArcView& view, std::span<const rig::Pose> poses, std::span
   return most;
 }
 
-/// The shape beside those of a solver that alone brings the frames nearest to their places; nothing: none is left.
+/// Returns the unused shape that alone brings the frames nearest to their places; nothing if no shape is left.
 std::optional<FreeControl> best_shape(const FrameSolver& solver, std::span<const FreeControl> free,
                                       std::span<const rig::Pose> poses, std::span<const PxPoint> places) {
   std::optional<FreeControl> best;

@@ -60,8 +60,8 @@ class SessionFile {
 
 /// Where the work of an abandoned session was saved; empty: nowhere.
 [[nodiscard]] std::string project_of_session(const std::string& path);
-/// What a session is about, as people call it: the file in which its work was saved, else the model that it began on;
-/// empty: neither is known.
+/// Returns the name of the file in which a session's work was saved, else of the model that it began on; empty if
+/// neither is known.
 [[nodiscard]] std::string work_of_session(const std::string& path);
 /// Sessions of a folder that were never finished and that no running program writes, the newest first. Those in which
 /// nothing was done are tidied away, those whose work was saved count as finished.

@@ -133,7 +133,7 @@ std::optional<document::RedrawArc> arc_meant(const document::Document& document,
                                              const document::View& view, std::span<const PxPoint> line,
                                              std::span<const double> shares, bool paced, int rate, double within_px) {
   if (line.size() < 2) return std::nullopt;
-  // The line begins and ends on one arc: where several are near its beginning, its end tells which.
+  // A line begins and ends on the same arc. If several arcs are near its beginning, its end decides.
   const ShownArc* arc = nullptr;
   NearFrame begin;
   NearFrame end;

@@ -12,7 +12,7 @@
 
 namespace penpose::app {
 
-/// What is said while a pose is carried along that no key has; it is taken away as soon as one has it.
+/// This notice tells the user that no key has the pose yet. Keying the pose removes it.
 inline constexpr std::string_view k_not_keyed_yet =
     "the pose is not on the timeline yet: Key puts it here; going to another key leaves it";
 

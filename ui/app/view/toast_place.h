@@ -13,7 +13,7 @@ namespace penpose::app {
 /// Over so many seconds what was said fades before it goes.
 inline constexpr double k_fade_s = 0.5;
 
-/// Where what is said stood last; nothing: nothing is said.
+/// Holds the area of the notices in the last frame; nothing if there were none.
 struct ToastPlace {
   std::optional<Area> area;
 };

@@ -22,7 +22,7 @@ void use_theme(bool light, float scale);
 /// A picture with this has its own colours.
 inline constexpr ImU32 k_untinted = IM_COL32_WHITE;
 
-/// Px of the window of so many px at scale 1, at the scale of the look that was taken last.
+/// Converts px at scale 1 to px of the window, by the scale that use_theme took last.
 [[nodiscard]] float scaled(float px);
 
 /// Letters of the small size and of titles; the usual one where the others could not be made.
