@@ -1,6 +1,6 @@
 """Packs the add-on for Blender: pack.py --version V --system S --machine M --library FILE --output ZIP
 
-The zip has one folder, penpose: addon/*.py, penpose's Python side as penpose/library with the C library and the libraries that this one
+The zip has one folder, penpose_blender: addon/*.py, penpose's Python side as penpose/library with the C library and the libraries that this one
 needs and systems do not bring, and the manifest that Blender 4.2 and later read. Equal inputs give equal bytes.
 """
 import argparse
@@ -10,13 +10,14 @@ import subprocess
 import zipfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+PACKAGE = 'penpose_blender'  # not penpose: that is the Python package of the library, which scripts may import beside the add-on
 ROOT = os.path.dirname(os.path.dirname(HERE))
 # What every system with Blender has.
 SYSTEMS = re.compile(r'^(linux-vdso|ld-linux|libc|libm|libdl|libpthread|librt|libgcc_s|libstdc\+\+)[-.]')
 PLATFORMS = {('Linux', 'x86_64'): 'linux-x64', ('Linux', 'aarch64'): 'linux-arm64', ('Darwin', 'arm64'): 'macos-arm64',
              ('Darwin', 'x86_64'): 'macos-x64', ('Windows', 'AMD64'): 'windows-x64'}
 MANIFEST = '''schema_version = "1.0.0"
-id = "penpose"
+id = "penpose_blender"
 version = "{version}"
 name = "penpose"
 tagline = "Pose and rig characters by drawing on them"
@@ -62,7 +63,7 @@ def main():
     texts['__init__.py'] = re.sub(rb"'version': \([^)]*\)", ("'version': %s" % (version,)).encode(), texts['__init__.py'])
     with zipfile.ZipFile(given.output, 'w', zipfile.ZIP_DEFLATED) as packed:
         for name in sorted(texts):
-            entry = zipfile.ZipInfo('penpose/' + name, (2020, 1, 1, 0, 0, 0))
+            entry = zipfile.ZipInfo(PACKAGE + '/' + name, (2020, 1, 1, 0, 0, 0))
             entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
             packed.writestr(entry, texts[name])
 

@@ -12,9 +12,9 @@ import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
-from penpose import drawing, grease, store  # noqa: E402
-from penpose.controls import Refused  # noqa: E402
-from penpose.library import Error  # noqa: E402
+from penpose_blender import drawing, grease, store  # noqa: E402
+from penpose_blender.controls import Refused  # noqa: E402
+from penpose_blender.library import Error  # noqa: E402
 
 
 class BadInput(unittest.TestCase):

@@ -18,8 +18,8 @@ SCRATCH = tempfile.mkdtemp()
 def install(path):
     """The add-on of a zip, installed as a user does and enabled; its package."""
     bpy.ops.preferences.addon_install(overwrite=True, filepath=path)
-    addon_utils.enable('penpose', default_set=True)
-    return sys.modules['penpose']
+    addon_utils.enable('penpose_blender', default_set=True)
+    return sys.modules['penpose_blender']
 
 
 def imported(path):
@@ -36,13 +36,13 @@ def imported(path):
 def opened(path):
     """The same in a file of its own."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    addon_utils.enable('penpose', default_set=True)
+    addon_utils.enable('penpose_blender', default_set=True)
     return imported(path)
 
 
-def seen(obj, yaw=0.0, size=1000, addon=sys.modules.get('penpose')):
+def seen(obj, yaw=0.0, size=1000, addon=sys.modules.get('penpose_blender')):
     """A view of the whole object from the front (glTF's +z), turned about its height by degrees."""
-    from penpose import space
+    from penpose_blender import space
     corners = [obj.matrix_world @ Vector(c) for c in obj.bound_box]
     middle = sum(corners, Vector()) / 8
     radius = max((c - middle).length for c in corners)
@@ -62,7 +62,7 @@ def region_places(shown, points):
 
 def draw(obj, kind, shown, places, of=None):
     """A whole stroke, with following; the controls that moved."""
-    from penpose import drawing
+    from penpose_blender import drawing
     stroke = drawing.Stroke(obj, kind, shown, of)
     for place in places:
         stroke.add(place)
@@ -72,14 +72,14 @@ def draw(obj, kind, shown, places, of=None):
 
 def shown_positions(obj):
     """Vertices as Blender shows them, in the character's space."""
-    from penpose import drawing, space
+    from penpose_blender import drawing, space
     depsgraph = bpy.context.evaluated_depsgraph_get()
     return space.Space(obj.matrix_world).of_object(drawing.shown_positions(obj, depsgraph))
 
 
 def of_file(obj, points):
     """Places (n, 3) of a glTF file in the character's space of an object that came from it."""
-    from penpose import space
+    from penpose_blender import space
     placed = space.Space(obj.matrix_world)
     return numpy.array([tuple(placed.of_world(Vector((x, -z, y)))) for x, y, z in points])
 

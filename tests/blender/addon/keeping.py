@@ -12,9 +12,9 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Quaternion  # noqa: E402
-from penpose import drawing, grease, keys, recording, store  # noqa: E402
-from penpose.controls import Refused  # noqa: E402
-from penpose.library import Character, play  # noqa: E402
+from penpose_blender import drawing, grease, keys, recording, store  # noqa: E402
+from penpose_blender.controls import Refused  # noqa: E402
+from penpose_blender.library import Character, play  # noqa: E402
 
 
 class Keeping(unittest.TestCase):
@@ -257,7 +257,7 @@ class Keeping(unittest.TestCase):
 
     def test_grease_pencil(self):
         from mathutils import Vector
-        from penpose import space
+        from penpose_blender import space
         place = space.Space(self.obj.matrix_world)
         points = desk.shown_positions(self.obj)[made.row(self.obj)]
         key = self.obj.data.shape_keys.key_blocks['up']

@@ -5,8 +5,8 @@ import bpy
 import desk
 import numpy as np
 from mathutils import Euler, Vector
-from penpose import bones as pose_bones
-from penpose import drawing, space
+from penpose_blender import bones as pose_bones
+from penpose_blender import drawing, space
 
 SIDE = 17
 SHOWN, NEAR = 1e-5, 0.02  # shares of the mesh's size and of the drawing's
@@ -15,7 +15,7 @@ SHOWN, NEAR = 1e-5, 0.02  # shares of the mesh's size and of the drawing's
 def empty_file():
     """A file with nothing in it."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    desk.addon_utils.enable('penpose', default_set=True)
+    desk.addon_utils.enable('penpose_blender', default_set=True)
 
 
 def activate(obj):

@@ -13,7 +13,7 @@ import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
-from penpose import drawing, placing, rig  # noqa: E402
+from penpose_blender import drawing, placing, rig  # noqa: E402
 
 
 class Measured(made.Trial):

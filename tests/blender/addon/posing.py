@@ -12,8 +12,8 @@ import numpy as np  # noqa: E402
 import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
-from penpose import drawing, placing, recording  # noqa: E402
-from penpose.library import Character  # noqa: E402
+from penpose_blender import drawing, placing, recording  # noqa: E402
+from penpose_blender.library import Character  # noqa: E402
 
 SAME, SHOWN = 1e-6, 1e-5
 worst = {'pose': 0.0, 'shown': 0.0}

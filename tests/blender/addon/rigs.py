@@ -11,8 +11,8 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Euler, Matrix, Quaternion  # noqa: E402
-from penpose import bones, drawing  # noqa: E402
-from penpose.controls import Refused  # noqa: E402
+from penpose_blender import bones, drawing  # noqa: E402
+from penpose_blender.controls import Refused  # noqa: E402
 
 
 def linked_character(path):

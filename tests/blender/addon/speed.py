@@ -12,7 +12,7 @@ import numpy as np  # noqa: E402
 import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
-from penpose import drawing  # noqa: E402
+from penpose_blender import drawing  # noqa: E402
 
 OURS_MS, WHOLE_MS = 2.0, 8.0
 PASSES = 5  # the best of them counts: others use the machine too

@@ -39,7 +39,7 @@ state() { # the keys that moved, the curves, the strokes that are being drawn
 import json
 import sys
 obj = bpy.context.view_layer.objects.active
-pen = sys.modules.get('penpose.pen')
+pen = sys.modules.get('penpose_blender.pen')
 moved = [k.name for k in obj.data.shape_keys.key_blocks if abs(k.value) > 1e-6]
 curves = json.loads(obj.get('penpose', '{"curves": []}'))['curves']
 print(','.join(moved), len(curves), sum('target' in c for c in curves), len(pen._running), obj.data.use_auto_smooth)
@@ -99,7 +99,7 @@ move 560 400
 expect 'another frame gives the stroke up' ' 1 0 0 True'
 lift
 smile
-echo "bpy.ops.preferences.addon_disable(module='penpose')" | tell >/dev/null
+echo "bpy.ops.preferences.addon_disable(module='penpose_blender')" | tell >/dev/null
 move 560 400
 lift
 expect 'so does disabling the add-on' ' 1 0 0 True'
