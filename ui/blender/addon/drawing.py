@@ -265,7 +265,7 @@ class Stroke:
         store.write(obj, kept)
         self.known.kept = obj.get(store.PROPERTY, '')
         moved = self.rig.moved_from(self.before)
-        self.keyed = keys.key(moved)
+        self.keyed = keys.key(moved, said=self.known.said)
         return moved
 
     def _keep_curve(self, obj, px):
@@ -303,7 +303,7 @@ def solve_again(obj, preset=Preset.DEFAULT):
         one = known(obj)
         one.rig.take_pose()
     moved = one.rig.moved_from(before)
-    keys.key(moved)
+    keys.key(moved, said=one.said)
     return moved
 
 

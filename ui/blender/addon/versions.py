@@ -1,4 +1,6 @@
 """What changed in Blender's interface after 3.4, with the version that changed it. All else of the add-on is the same everywhere."""
+import os
+
 import bpy
 import gpu
 
@@ -45,3 +47,58 @@ def grease_pencil_strokes(obj):
 def is_grease_pencil(obj):
     """4.3 calls the type GREASEPENCIL, those before GPENCIL."""
     return obj is not None and obj.type in ('GPENCIL', 'GREASEPENCIL')
+
+
+def own_folder(package):
+    """Where the add-on may keep files of its own. 4.2 has a folder for each extension; an add-on that is none has a folder of data there, too."""
+    if VERSION >= (4, 2, 0) and package.startswith('bl_ext.'):
+        return os.path.join(bpy.utils.extension_path_user(package), 'library')
+    return os.path.join(bpy.utils.user_resource('DATAFILES'), package)
+
+
+def curves_of(owner):
+    """The curves that animate a data-block. 4.4 put them into slots of an action, and 5.0 took Action.fcurves away."""
+    data = owner.animation_data
+    action = data.action if data is not None else None
+    if action is None:
+        return []
+    if not hasattr(action, 'slots'):
+        return list(action.fcurves)
+    slot = data.action_slot
+    bags = [strip.channelbag(slot) for layer in action.layers for strip in layer.strips if strip.type == 'KEYFRAME'] if slot else []
+    return [curve for bag in bags if bag is not None for curve in bag.fcurves]
+
+
+def only_needed(auto):
+    """Whether keys go only where they change something. 4.1 has a switch for auto-key beside that for other keys."""
+    edit = bpy.context.preferences.edit
+    return getattr(edit, 'use_auto_keyframe_insert_needed', edit.use_keyframe_insert_needed) if auto else edit.use_keyframe_insert_needed
+
+
+def key_options(options):
+    """Options of keyframe_insert. From 4.1 on the colours of new curves are those of the preferences, whoever inserts."""
+    return set(options) - ({'INSERTKEY_XYZ_TO_RGB'} if VERSION >= (4, 1, 0) else set())
+
+
+# Sessions number their blocks for good since 4.1; until then an address stands for the number, which undo keeps for what it leaves.
+LASTING_UID = hasattr(bpy.types.ID, 'session_uid')
+
+
+def uid(block):
+    """What tells a data-block from all others of the session, whatever its name."""
+    return block.session_uid if LASTING_UID else block.as_pointer()
+
+
+def bone_seen(armature, bone):
+    """Whether a bone (of armature.data.bones) is in what the armature shows. 4.0 has collections of bones instead of layers."""
+    if bone.hide:
+        return False
+    data = armature.data
+    if hasattr(data, 'layers'):
+        return any(shown and has for shown, has in zip(data.layers, bone.layers))
+    return not len(bone.collections) or any(c.is_visible_effectively for c in bone.collections)
+
+
+def bone_selected(pose_bone):
+    """Whether a pose bone is selected. 5.0 keeps that on the pose bone."""
+    return pose_bone.select if hasattr(pose_bone, 'select') else pose_bone.bone.select
