@@ -18,7 +18,7 @@ bool look_alike(std::span<const rig::Parameter> parameters, const rig::Pose& a, 
   return true;
 }
 
-/// The features near a line, the nearest last.
+/// Returns the features near a line, the nearest first.
 std::vector<std::string> names_near(EditingSession& editing, const document::FaceLine& line) {
   const document::Document& document = editing.document();
   const document::FaceDrawing& face = *document.face;
@@ -27,7 +27,6 @@ std::vector<std::string> names_near(EditingSession& editing, const document::Fac
   const bool known = face.base.size() == document.pose.size();
   auto names = document::features_near(*document.model, known ? face.base : document.pose, editing.features(), *points);
   std::erase(names, line.feature);
-  std::reverse(names.begin(), names.end());
   return names;
 }
 
@@ -35,7 +34,7 @@ std::vector<std::string> names_near(EditingSession& editing, const document::Fac
 
 void FaceReadings::forget() {
   line_.reset();
-  names_.clear();
+  waiting_.clear();
   found_.clear();
 }
 
@@ -44,21 +43,27 @@ void FaceReadings::begin(EditingSession& editing, document::CurveId line) {
   line_ = line;
   revision_ = editing.revision();
   const document::FaceLine* drawn = document::find_face_line(editing.document(), line);
-  if (drawn != nullptr) names_ = names_near(editing, *drawn);
+  if (drawn == nullptr) return;
+  if (!drawn->feature.empty()) waiting_.push_back({line, drawn->feature, false, true});
+  for (const std::string& name : names_near(editing, *drawn)) {
+    waiting_.push_back({line, name, false, true});
+    waiting_.push_back({line, name, false, false});
+  }
+  std::reverse(waiting_.begin(), waiting_.end());
 }
 
 void FaceReadings::follow(EditingSession& editing, document::CurveId line) {
   if (line_ != line || revision_ != editing.revision()) begin(editing, line);
   if (!searches()) return;
-  std::string name = std::move(names_.back());
-  names_.pop_back();
+  document::NameFaceLine command = std::move(waiting_.back());
+  waiting_.pop_back();
   const document::Document& document = editing.document();
-  const auto after = editing.after(document::NameFaceLine{line, name, false});
+  const auto after = editing.after(command);
   if (!after) return;
   const auto parameters = document.model->rig->parameters();
   const auto same = [&](const FaceReading& one) { return look_alike(parameters, one.pose, after->pose); };
   if (look_alike(parameters, document.pose, after->pose) || std::any_of(found_.begin(), found_.end(), same)) return;
-  found_.push_back({std::move(name), after->pose});
+  found_.push_back({std::move(command), after->pose});
 }
 
 std::optional<document::CurveId> NewestFaceLine::look_at(const EditingSession& editing) {

@@ -9,14 +9,15 @@
 
 namespace penpose::app {
 
-/// Holds another feature that a line of the face may be.
+/// Holds another meaning of a line of the face.
 struct FaceReading {
-  std::string feature;
-  document::SharedPose pose;  ///< the face if the line is that
+  document::NameFaceLine command;  ///< which feature the line is, and whether only its form counts
+  document::SharedPose pose;       ///< the face if the line is that
 };
 
-/// Other readings of one line of the face: features near it as the face was before the drawing, the nearest first, with
-/// which the face looks different.
+/// Other readings of one line of the face: first as the form of what it was read as, then features near it as the face
+/// was before the drawing, the nearest first, each by its form and where the line is. With each the face looks
+/// different.
 class FaceReadings {
  public:
   static constexpr std::size_t k_most = 4;
@@ -26,7 +27,7 @@ class FaceReadings {
   void forget();
 
   /// There are features that have not been looked at.
-  [[nodiscard]] bool searches() const { return !names_.empty() && found_.size() < k_most; }
+  [[nodiscard]] bool searches() const { return !waiting_.empty() && found_.size() < k_most; }
   /// The line; nothing: none is looked at.
   [[nodiscard]] std::optional<document::CurveId> line() const { return line_; }
   [[nodiscard]] bool is_of(std::uint64_t revision) const { return revision_ == revision; }
@@ -37,7 +38,7 @@ class FaceReadings {
 
   std::optional<document::CurveId> line_;
   std::uint64_t revision_ = 0;
-  std::vector<std::string> names_;  ///< that have not been looked at, the last one first
+  std::vector<document::NameFaceLine> waiting_;  ///< those that have not been looked at, the last one first
   std::vector<FaceReading> found_;
 };
 

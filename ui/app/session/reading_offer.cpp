@@ -29,9 +29,15 @@ struct Change {
   bool is_new = false;  ///< the reading taken does not move it
 };
 
-/// What one reading has that the one taken has not, the most first; both sides of a pair as one.
-std::vector<Change> changes_of(const document::Document& document, Words words, const rig::Pose& reading) {
-  const document::Moment& moment = *document.moment;
+/// Holds the pose before a line, and the one that its reading gave.
+struct Taken {
+  const rig::Pose& base;
+  const rig::Pose& posed;
+};
+
+/// Returns what one reading has that the one taken has not, the most first; both sides of a pair as one.
+std::vector<Change> changes_of(const document::Document& document, const Taken& moment, Words words,
+                               const rig::Pose& reading) {
   const auto parameters = document.model->rig->parameters();
   const std::vector<std::size_t> pairs = side_pairs(parameters);
   std::vector<Change> out;
@@ -53,8 +59,8 @@ std::vector<Change> changes_of(const document::Document& document, Words words, 
   return out;
 }
 
-std::string words_of(const document::Document& document, Words words, const rig::Pose& reading) {
-  std::vector<Change> changes = changes_of(document, words, reading);
+std::string words_of(const document::Document& document, const Taken& moment, Words words, const rig::Pose& reading) {
+  std::vector<Change> changes = changes_of(document, moment, words, reading);
   // What it moves says more than what it takes back, and both more than what goes a little further.
   const auto keep = [&](const auto& test) {
     if (std::any_of(changes.begin(), changes.end(), test))
@@ -92,7 +98,8 @@ std::vector<std::string> words_of_readings(const document::Document& document, W
   const document::Moment* moment = document.moment.get();
   if (moment == nullptr || moment->lines.empty() || !document::is_last_line(document, moment->lines.back().curve))
     return out;
-  for (const document::Moment::Other& one : moment->others) out.push_back(words_of(document, words, one.pose));
+  for (const document::Moment::Other& one : moment->others)
+    out.push_back(words_of(document, {moment->base, moment->posed}, words, one.pose));
   return out;
 }
 
@@ -142,9 +149,13 @@ void ReadingOffer::look_at_face(EditingSession& editing, document::CurveId line)
   face_.follow(editing, line);
   if (face_.found().size() == known) return;
   readings_.clear();
-  for (const FaceReading& one : face_.found())
-    readings_.push_back({feature_words(one.feature), std::nullopt, one.pose,
-                         document::NameFaceLine{line, one.feature, false}, one.feature});
+  const document::Document& document = editing.document();
+  const rig::Pose& base = document.face->base.size() == document.pose.size() ? document.face->base : document.pose;
+  for (const FaceReading& one : face_.found()) {
+    std::string words = words_of(document, {base, document.pose}, editing.words(), one.pose);
+    if (words.empty()) words = feature_words(one.command.feature);
+    readings_.push_back({std::move(words), std::nullopt, one.pose, one.command, one.command.feature});
+  }
 }
 
 void ReadingOffer::show(EditingSession& editing, std::optional<std::size_t> which) {

@@ -8,6 +8,7 @@
 #include "core/curve/polyline.h"
 #include "core/document/commands/apply_parts.h"
 #include "core/document/commands/list/posing_commands.h"
+#include "core/document/features/feature_near.h"
 
 namespace penpose::document {
 namespace {
@@ -29,6 +30,31 @@ bool runs_again(const FaceLine& older, const FaceLine& newer) {
     if (nearest != along.begin() && nearest != along.end() - 1) beside += 1;
   }
   return beside > k_most * static_cast<double>(older.line.size());
+}
+
+PxPoint middle_of(std::span<const PxPoint> line) {
+  PxPoint sum{0, 0};
+  for (const PxPoint& p : line) sum = sum + p;
+  return sum * (1.0 / static_cast<double>(line.size()));
+}
+
+/// Returns the line with its middle at that of a feature, as the drawing's view showed it before the drawing. Nothing:
+/// the view does not see it.
+std::optional<std::vector<PxPoint>> moved_to(const Document& document, const FaceDrawing& drawing,
+                                             const portrait::FeatureCurve& feature, std::vector<PxPoint> line) {
+  const auto camera = geometry::Camera::make(drawing.view.camera, drawing.view.viewport);
+  if (!camera || line.empty()) return std::nullopt;
+  const bool known = drawing.base.size() == document.pose.size();
+  std::vector<PxPoint> seen;
+  for (const auto& point : positions_of(*document.model, known ? drawing.base : document.pose, feature)) {
+    const auto px = camera->project(point);
+    if (!px) return std::nullopt;
+    seen.push_back(*px);
+  }
+  if (seen.empty()) return std::nullopt;
+  const PxPoint by = middle_of(seen) - middle_of(line);
+  for (PxPoint& p : line) p = p + by;
+  return line;
 }
 
 /// The document with a line more, which takes the place of one of the same feature that it runs along again.
@@ -123,12 +149,19 @@ Changed run(const Document& document, const NameFaceLine& command, Parts& work) 
     line->said = std::nullopt;
   } else {
     const std::vector<std::string> names = names_of(features->curves);
-    if (std::find(names.begin(), names.end(), command.feature) == names.end()) {
+    const auto name = std::find(names.begin(), names.end(), command.feature);
+    if (name == names.end()) {
       const auto close = base::closest_name(command.feature, names);
       return base::Error{"the face has no feature \"" + command.feature + "\"", "feature",
                          close ? "did you mean " + *close + "?" : "take one of those that it has"};
     }
     line->said = command.feature;
+    if (command.form) {
+      auto moved =
+          moved_to(document, drawing, features->curves[static_cast<std::size_t>(name - names.begin())], line->line);
+      if (!moved) return base::Error{"the drawing does not see the feature", "feature", "draw it where it is seen"};
+      line->line = std::move(*moved);
+    }
   }
   return with_face_read(document, std::move(drawing), work);
 }

@@ -18,14 +18,16 @@ namespace penpose::document {
 using DrawFaceLine = Plain<DrawnLine, "draw_face_line", "Draw a line of the face">;
 Changed run(const Document&, const DrawFaceLine&, ApplyParts&);
 
-/// Says what a line of the face is, and reads the drawing again. Errors: no such line, no such feature.
+/// Says what a line of the face is, and reads the drawing again. Errors: no such line, no such feature; by its form: a
+/// feature that the drawing's view does not see.
 struct NameFaceLine {
   static constexpr Called k_called{"name_face_line", "Say what a line is"};
   CurveId curve;
   std::string feature;   ///< by name; empty: it is found again
   bool nothing = false;  ///< it is no feature of the face
+  bool form = false;     ///< only its form counts: it is moved to where the feature was before the drawing
   static auto members(auto& self) {
-    return base::named("curve", self.curve, "feature", self.feature, "nothing", self.nothing);
+    return base::named("curve", self.curve, "feature", self.feature, "nothing", self.nothing, "form", self.form);
   }
 };
 Changed run(const Document&, const NameFaceLine&, ApplyParts&);

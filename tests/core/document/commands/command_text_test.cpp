@@ -77,7 +77,7 @@ std::vector<Command> full_commands() {
       PlaceCurve{{{3, {0.25, 0.5, 0.25}}, {0, {1, 0, 0}}}, true},
       PlaceTarget{CurveId{4}, {{0.1, -2, 1e-9}, {1, 2, 3}}},
       DrawFaceLine{{view, some_line()}},
-      NameFaceLine{CurveId{4294967295U}, k_strange, true},
+      NameFaceLine{CurveId{4294967295U}, k_strange, true, true},
       SetNeutral{false},
       SetSound{k_strange, {0x123456789abcdef0U, 0xfU}, -0.25},
       RemoveSound{},

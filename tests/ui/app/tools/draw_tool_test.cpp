@@ -114,7 +114,8 @@ TEST(DrawTool, OtherFeaturesOfALineAreOfferedAsFacesAndTakenAtATouch) {
   EXPECT_LE(offer.readings().size(), FaceReadings::k_most);
   const document::FaceLine before = desk.document().face->lines.front();
   const OfferedReading first = offer.readings().front();
-  EXPECT_NE(first.words, feature_words(before.feature));
+  EXPECT_NE(static_cast<const rig::Pose&>(first.pose), desk.document().pose);
+  EXPECT_EQ(first.words.find("lip"), std::string::npos) << "words say what moves: " << first.words;
   const rig::Pose pose = desk.document().pose;
   const Area picture = *desk.interface->find("reading 1");
   EXPECT_GT(picture.height(), picture.width()) << "a square picture with its name below";
@@ -124,11 +125,36 @@ TEST(DrawTool, OtherFeaturesOfALineAreOfferedAsFacesAndTakenAtATouch) {
   EXPECT_EQ(desk.document().pose, pose) << "it is only shown";
   desk.click("reading 1");
   EXPECT_EQ(desk.document().pose, static_cast<const rig::Pose&>(first.pose));
-  EXPECT_EQ(feature_words(desk.document().face->lines.front().feature), first.words);
+  EXPECT_EQ(desk.document().face->lines.front().feature, first.feature);
   desk.press('z', true);
   EXPECT_EQ(desk.document().pose, pose);
   desk.frames(10);
   EXPECT_FALSE(offer.open()) << "what is undone asks no question";
+}
+
+TEST(DrawTool, ASmileDrawnBelowTheLipsIsOfferedAsASmile) {
+  Desk desk("draw-smile-below");
+  desk.begin();
+  desk.click("Draw");
+  auto line = desk.named_curve("lip_upper_inner");
+  const double width = std::abs(line.back().x - line.front().x);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double t = 2.0 * static_cast<double>(i) / static_cast<double>(line.size() - 1) - 1.0;
+    line[i].y += 0.25 * width * (1.0 - t * t) + 0.1 * width;
+  }
+  desk.stroke(line);
+  desk.frames(30);
+  const auto parameters = desk.document().model->rig->parameters();
+  const std::size_t left = rig::find_parameter(parameters, "mouth_corner_L").value();
+  const std::size_t right = rig::find_parameter(parameters, "mouth_corner_R").value();
+  const std::size_t jaw = rig::find_parameter(parameters, "jaw").value();
+  const auto& readings = desk.app->of<ReadingOffer>().readings();
+  const auto smiles = [&](const OfferedReading& one) {
+    return one.pose[left] > 0.3 && one.pose[right] > 0.3 && one.pose[jaw] < 0.2;
+  };
+  std::string offered;
+  for (const OfferedReading& one : readings) offered += one.words + "; ";
+  EXPECT_TRUE(std::any_of(readings.begin(), readings.end(), smiles)) << offered;
 }
 
 TEST(DrawTool, TheMenuOfAnOlderLineOffersItsOwnFaces) {
@@ -141,9 +167,9 @@ TEST(DrawTool, TheMenuOfAnOlderLineOffersItsOwnFaces) {
   const ReadingOffer& offer = desk.app->of<ReadingOffer>();
   ASSERT_TRUE(offer.open());
   EXPECT_EQ(offer.face_line(), desk.document().face->lines[0].id);
-  const std::string words = offer.readings().front().words;
+  const std::string feature = offer.readings().front().feature;
   ASSERT_TRUE(desk.click("reading 1"));
-  EXPECT_EQ(feature_words(desk.document().face->lines[0].feature), words);
+  EXPECT_EQ(desk.document().face->lines[0].feature, feature);
   EXPECT_EQ(desk.document().face->lines[1].feature, "brow_L");
   EXPECT_FALSE(desk.app->of<PanelState>().curve_menu) << "the menu closes";
 }

@@ -37,7 +37,12 @@ const PictureFrame& frame_of_offer(PanelContext& context, const EditingSession& 
 }
 
 std::string tip_of_reading(const OfferedReading& one, bool of_face) {
-  if (of_face) return "The line is the " + one.words + ": the face shows it; press to take it";
+  if (of_face) {
+    const auto* named = one.command.get_if<document::NameFaceLine>();
+    const bool form = named != nullptr && named->form;
+    return one.words + ": the line is " + (form ? "the form of the " : "the ") + feature_words(one.feature) +
+           "; press to take it";
+  }
   const std::string likely = one.percent ? " (" + std::to_string(*one.percent) + " % likely)" : "";
   return one.words + likely + ": the face shows it; press to take it, and Undo takes it back";
 }

@@ -20,10 +20,13 @@ struct MeshoptLayout {
   std::uint64_t stride = 0;                    ///< bytes an element, once unpacked
 };
 
+/// What stands for meshoptimizer's codecs returns this where a build leaves them out.
+inline constexpr int k_meshopt_left_out = -1000;
+
 /// The count * stride bytes that a stream unpacks to. Codecs by meshoptimizer; filters by the formulas of the
 /// extension, so that they give the same bits everywhere. `most`: bytes that may be taken. A stream that claims more
 /// than its bytes can say is refused before memory is taken. Errors (without a place): a layout that the extension does
-/// not allow, too many bytes, a stream that is damaged or of a newer version.
+/// not allow, too many bytes, a stream that is damaged or of a newer version, and a build without the codecs.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> unpack_meshopt(base::Bytes stream, const MeshoptLayout& layout,
                                                                      std::uint64_t most);
 

@@ -146,6 +146,26 @@ TEST(FaceCommands, ALineIsWhatTheArtistSaysItIs) {
   EXPECT_NE(hand.refuses(NameFaceLine{id, "brow_l", false}).remedy.find("brow_L"), std::string::npos);
 }
 
+TEST(FaceCommands, ALineWhoseFormAloneCountsIsMovedToItsFeature) {
+  FaceHand hand;
+  std::vector<PxPoint> line = hand.curve("lip_upper_inner", k_smile, {9, 30});
+  hand.does(DrawFaceLine{{hand.view, line}});
+  const CurveId id = hand.last().id;
+  hand.does(NameFaceLine{id, "lip_upper_inner", false, true});
+  EXPECT_EQ(hand.last().feature, "lip_upper_inner");
+  EXPECT_GT(hand.value("mouth_corner_L"), 0.3);
+  EXPECT_GT(hand.value("mouth_corner_R"), 0.3);
+  EXPECT_NEAR(hand.value("jaw"), 0.0, 0.1);
+  const auto middle = [](const std::vector<PxPoint>& points) {
+    PxPoint sum{0, 0};
+    for (const PxPoint& p : points) sum = sum + p;
+    return sum * (1.0 / static_cast<double>(points.size()));
+  };
+  const PxPoint there = middle(hand.last().line), at_rest = middle(hand.curve("lip_upper_inner", {}));
+  EXPECT_NEAR(there.x, at_rest.x, 1.0);
+  EXPECT_NEAR(there.y, at_rest.y, 1.0);
+}
+
 TEST(FaceCommands, ALineThatIsDeletedCountsNoMoreAndTheLastOneLeavesThePose) {
   FaceHand hand;
   hand.draws("brow_L", {{"brow_inner_L", 0.8}});

@@ -336,6 +336,7 @@ class KnowingHand {
       command.nothing = true;
     } else if (!named.empty() && random_.chance(0.7)) {
       command.feature = any(named).name;
+      command.form = random_.chance(0.3);
     }
     return command;
   }
