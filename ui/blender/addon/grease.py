@@ -24,20 +24,55 @@ def target_mesh(context):
     return meshes[0] if meshes else None
 
 
-def strokes_of(pencil):
+NAMED = ('reference', 'target', 'constraint')  # a layer with one of these in its name holds those
+AT_REST = ('neutral', 'rest')  # and with one of these the same hand's drawing of the face at rest
+
+
+def _named(name, words):
+    return next((word for word in words if word in name.lower()), None)
+
+
+def shown_on(frames, frame):
+    """What of a layer is seen on a frame: the drawing of that frame or of the last one before it."""
+    return next((lines for number, lines in reversed(frames) if number <= frame), [])
+
+
+def strokes_of(pencil, frame=None):
     """The pairs (kind, points in the world) that the active layer means. Raises Refused."""
-    name, strokes = versions.grease_pencil_strokes(pencil)
-    strokes = [[pencil.matrix_world @ Vector(p) for p in s] for s in strokes if len(s) > 1]
+    frame = bpy.context.scene.frame_current if frame is None else frame
+    name, frames = next(((name, frames) for name, active, frames in versions.pencil_layers(pencil) if active), ('', []))
+    strokes = [[Vector(p) for p in s] for s in shown_on(frames, frame) if len(s) > 1]
     if not strokes:
         raise Refused('the active layer of %s has no stroke on this frame; draw a reference and a target' % pencil.name)
-    kind = name.lower()
-    for one in ('reference', 'target', 'constraint'):
-        if one in kind:
-            return [(one, s) for s in (strokes[-1:] if one == 'target' else strokes)]
+    kind = _named(name, NAMED)
+    if kind:
+        return [(kind, s) for s in (strokes[-1:] if kind == 'target' else strokes)]
     if len(strokes) < 2:
         raise Refused('the active layer of %s has one stroke; draw two, a reference and its target, or name the layer after what it holds' %
                       pencil.name)
     return [('reference', strokes[-2]), ('target', strokes[-1])]
+
+
+def drawings_of(pencil):
+    """Each drawing of the face that a Grease Pencil has: {frame: (lines, lines of the face at rest)}, lines (n, 3) in the world. All that
+    is seen on a frame is one drawing."""
+    layers = [(name, frames) for name, _, frames in versions.pencil_layers(pencil) if not _named(name, NAMED)]
+    moving = [frames for name, frames in layers if not _named(name, AT_REST)]
+    out = {}
+    for frame in sorted({number for frames in moving for number, _ in frames}):
+        lines = [line for frames in moving for line in shown_on(frames, frame) if len(line) > 1]
+        if lines:
+            rest = [line for name, frames in layers if _named(name, AT_REST) for line in shown_on(frames, frame) if len(line) > 1]
+            out[frame] = lines, rest
+    return out
+
+
+def shown_on_frame(pencil, frame):
+    """The drawing that is seen on a frame and that of the face at rest. Raises Refused."""
+    shown = [drawn for number, drawn in drawings_of(pencil).items() if number <= frame]
+    if not shown:
+        raise Refused('%s has no drawing on this frame; draw the face with Grease Pencil' % pencil.name)
+    return shown[-1]
 
 
 def draw_strokes(obj, strokes, seen, to_region):

@@ -49,6 +49,12 @@ class Rules:
         self.available = self.replace or self.auto and self.set is None and edit.use_keyframe_insert_available
         self.type, self.interpolation, self.handle = settings.keyframe_type, edit.keyframe_new_interpolation_type, edit.keyframe_new_handle_type
 
+    def for_all(self):
+        """The same for keys that are asked for by name: all of what moves, new curves and further keys too."""
+        self.set, self.replace, self.available = None, False, False
+        self.options -= {keying_sets.NEEDED, keying_sets.VISUAL}
+        return self
+
     def channels(self, controls):
         """The channels to key for controls that moved, each once."""
         moved = [(block, keying_sets.channel(block, path, index, group)) for c in controls for block, path, index, group in places_of(c)]

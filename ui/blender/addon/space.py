@@ -51,6 +51,10 @@ class Space:
         """A point of the world, in the character's space."""
         return self.turn.transposed() @ (point - self.place)
 
+    def from_world(self, points):
+        """Points (n, 3) of the world, in the character's space."""
+        return (np.asarray(points, dtype=np.float64) - np.array(self.place)) @ np.array(self.turn)
+
 
 class Seen:
     """A view of the 3D viewport: what penpose draws from, and where its px lie in the region."""
