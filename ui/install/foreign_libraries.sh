@@ -31,7 +31,7 @@ for tree in "$folder"/sources/zlib-*/; do mkdir -p "$tree/win32" && touch "$tree
 # All that it installs has a shared library beside the archive, which not every compiler makes.
 target=zlibstatic build zlib
 mkdir -p "$folder/usr/lib" "$folder/usr/include"
-cp "$folder/zlib/libz.a" "$folder/usr/lib/"
+cp "$folder"/zlib/libz*.a "$folder/usr/lib/libz.a"
 cp "$folder"/sources/zlib-*/zlib.h "$folder/zlib/zconf.h" "$folder/usr/include/"
 build xxhash -DXXHASH_BUILD_XXHSUM=OFF
 build meshoptimizer

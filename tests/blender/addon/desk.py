@@ -1,8 +1,11 @@
 """What the tests of the add-on share, in Blender: the add-on from its zip, models, views and strokes."""
 import math
 import os
+import re
+import subprocess
 import sys
 import tempfile
+import zipfile
 
 import numpy
 
@@ -20,6 +23,23 @@ def install(path):
     bpy.ops.preferences.addon_install(overwrite=True, filepath=path)
     addon_utils.enable('penpose_blender', default_set=True)
     return sys.modules['penpose_blender']
+
+
+def another(path, version):
+    """A zip of the same add-on with another version and another library than that of a zip."""
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
+    command = ['python3', os.path.join(root, 'ui', 'blender', 'pack.py'), '--version', version]
+    with zipfile.ZipFile(path) as packed:
+        for name in packed.namelist():
+            found = re.match(r'penpose_blender/library/([a-z]+-[a-z0-9]+)-[^/]+/(.*)$', name)
+            if found and found.group(2):
+                copy = os.path.join(SCRATCH, version + found.group(2))
+                with open(copy, 'wb') as f:
+                    f.write(packed.read(name) + version.encode())
+                command += ['--library', '%s=%s' % (found.group(1), copy)]
+    out = os.path.join(SCRATCH, 'another-%s.zip' % version)
+    subprocess.run(command + ['--output', out], check=True)
+    return out
 
 
 def imported(path):

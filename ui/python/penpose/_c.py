@@ -2,9 +2,12 @@
 import ctypes
 import ctypes.util
 import enum
+import importlib
+import importlib.util
 import os
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
-from typing import Any, Callable
+from types import SimpleNamespace
+from typing import Any, Callable, Optional
 
 ABI_VERSION = 0
 Function = Callable[..., Any]  # one of the library, as ctypes calls it
@@ -171,15 +174,17 @@ _FUNCTIONS = {
 
 
 def _found() -> ctypes.CDLL:
-    """$PENPOSE_LIBRARY, then what lies in this package, then what the system's loader finds, then the prefix that this package is installed below."""
+    """$PENPOSE_LIBRARY, then the one that whoever packed this package brings along (a module _packed with library(), which gives its path),
+    then what the system's loader finds, then the prefix that this package is installed below."""
     named = os.environ.get('PENPOSE_LIBRARY')
+    if not named and importlib.util.find_spec('._packed', __package__):
+        named = importlib.import_module('._packed', __package__).library()
     if named:
         return ctypes.CDLL(named)
     name = 'libpenpose.so.%d' % ABI_VERSION
     tried = []
-    here = os.path.dirname(os.path.abspath(__file__))
-    lib = os.path.normpath(os.path.join(here, '..', '..', '..'))
-    folders = [here, '', lib] + sorted(entry.path for entry in os.scandir(lib) if entry.is_dir() and entry.name.endswith('-linux-gnu'))
+    lib = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..'))
+    folders = ['', lib] + sorted(entry.path for entry in os.scandir(lib) if entry.is_dir() and entry.name.endswith('-linux-gnu'))
     for folder in folders:
         try:
             return ctypes.CDLL(os.path.join(folder, name))
@@ -188,7 +193,16 @@ def _found() -> ctypes.CDLL:
     raise ImportError('%s is not found (%s); install libpenpose0, or name it in PENPOSE_LIBRARY' % (name, tried[0]))
 
 
-def _loaded() -> ctypes.CDLL:
+class _Functions(SimpleNamespace):
+    """Those of the library by name, while it is loaded."""
+    library: Optional[ctypes.CDLL] = None
+
+
+C: Any = _Functions()
+
+
+def load() -> None:
+    """Loads libpenpose, as importing this package does, after unload()."""
     library = _found()
     library.penpose_abi_version.restype = c_uint32
     found = library.penpose_abi_version()
@@ -201,10 +215,19 @@ def _loaded() -> ctypes.CDLL:
         function = getattr(library, name)
         function.argtypes = arguments + (_ERROR,)
         function.restype = c_int32
-    return library
+        setattr(C, name, function)
+    C.library, C.penpose_close, C.penpose_version = library, library.penpose_close, library.penpose_version
+    LIBRARY.open()
 
 
-C = _loaded()
+def unload() -> None:
+    """Frees all handles and gives libpenpose back to the system, so that its file may be replaced. What is still held of this package
+    raises Error from then on."""
+    LIBRARY.close()
+    library, C.library = C.library, None
+    if library is not None:
+        import _ctypes
+        getattr(_ctypes, 'FreeLibrary' if os.name == 'nt' else 'dlclose')(library._handle)
 
 
 def version() -> str:
@@ -214,6 +237,8 @@ def version() -> str:
 
 def check(function: Function, *arguments: Any) -> None:
     """Calls a function of the library; what it says against it is raised."""
+    if C.library is None:
+        raise Error(Status.BAD_HANDLE, 'libpenpose is unloaded, and what was made with it is gone')
     error = _Error()
     if function(*arguments, byref(error)):
         raise Error(error.status, error.message.decode('utf-8', 'replace'))
@@ -224,14 +249,22 @@ class Library:
 
     def __init__(self) -> None:
         self.pointer = c_void_p()
+
+    def open(self) -> None:
+        """Handles of before name nothing: they keep the pointer of theirs."""
+        self.pointer = c_void_p()
         check(C.penpose_open, byref(self.pointer))
 
-    def __del__(self) -> None:
-        if getattr(self, 'pointer', None):
+    def close(self) -> None:
+        """Frees all handles."""
+        if self.pointer:
             C.penpose_close(byref(self.pointer))
+
+    __del__ = close
 
 
 LIBRARY = Library()
+load()
 
 
 class Handle:
@@ -256,7 +289,7 @@ class Handle:
         self._call(C.penpose_free)
 
     def __del__(self) -> None:
-        if getattr(self, '_on', None) and self._library.pointer:
+        if getattr(self, '_on', None) and self._on[0]:
             C.penpose_free(*self._on, None)
 
 

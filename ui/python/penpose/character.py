@@ -110,10 +110,6 @@ class Live(_c.Handle):
 class Character(_c.Handle):
     """A character that is posed. Made by `read`, `built_in`, `from_arrays`, `copy` or `penpose.play`."""
 
-    def __init__(self, handle: int) -> None:
-        super().__init__(handle)
-        self._solve = (C.penpose_solve, *self._on)
-
     @classmethod
     def read(cls, data: bytes, hint: str = '') -> 'Character':
         """A glTF, OBJ, PLY, OFF or STL file in memory, or a project. `hint`: its name, for formats that do not say what they are."""
@@ -325,7 +321,7 @@ class Character(_c.Handle):
 
     def solve(self, preset: int = Preset.DEFAULT) -> None:
         """Brings references to their targets, from the pose as it is, and keeps constraints where they are."""
-        _c.check(*self._solve, preset)
+        self._call(C.penpose_solve, preset)
 
     def live(self, curve: int, view: View) -> Live:
         """Follows a target while it is drawn; changes nothing here."""
