@@ -134,7 +134,7 @@ class BadInput(unittest.TestCase):
         stroke.follow()
         bpy.data.objects.remove(self.obj)
         stroke.add(self.line[8] + [0, 50])
-        with self.assertRaisesRegex(Refused, 'Plate is gone or has another name'):
+        with self.assertRaisesRegex(Refused, 'Plate is gone; select the mesh'):
             stroke.follow()
         stroke.cancel(None)
         self.obj = made.plate()
@@ -144,15 +144,30 @@ class BadInput(unittest.TestCase):
 
     def test_renamed(self):
         self.reference()
-        stroke = drawing.Stroke(self.obj, 'target', self.shown)
+        for what in ('between', 'within'):
+            with self.subTest(what=what):
+                if what == 'between':
+                    self.obj.name = 'Renamed Plate'
+                stroke = drawing.Stroke(self.obj, 'target', self.shown, 1)
+                for place in self.line:
+                    stroke.add(place + [0, 60])
+                stroke.follow()
+                key = self.obj.data.shape_keys.key_blocks[1]
+                if what == 'within':
+                    self.obj.name, key.name = 'Renamed again', 'renamed key'
+                stroke.add(self.line[-1] + [5, 60])
+                stroke.follow()
+                self.assertIn(key.name, [c.name for c in stroke.end(self.obj)] + ['renamed key'])
+                self.assertGreater(key.value, 0.2)
+                self.assertEqual(len(store.read(self.obj)['curves']), 1)
+                key.value = 0
+        stroke = drawing.Stroke(self.obj, 'target', self.shown, 1)
         for place in self.line:
             stroke.add(place + [0, 60])
-        self.obj.name = 'Renamed Plate'
-        with self.assertRaisesRegex(Refused, 'Plate is gone or has another name'):
-            stroke.follow()
+        stroke.follow()
+        self.obj.name = 'And once more'
         stroke.cancel(self.obj)
-        self.assertTrue(self.target(), 'its curves are its own under another name')
-        self.assertEqual(len(store.read(self.obj)['curves']), 1)
+        self.assertEqual(self.obj.data.shape_keys.key_blocks[1].value, 0, 'what is given up leaves nothing')
 
     def test_key_removed_in_stroke(self):
         made.add_key(self.obj, 'other', (0.4, 0, 0))

@@ -91,10 +91,16 @@ def draw(obj, kind, shown, places, of=None):
 
 
 def shown_positions(obj):
-    """Vertices as Blender shows them, in the character's space."""
+    """Vertices as Blender shows them, in the character's space; of a character of several meshes all, the first mesh first."""
     from penpose_blender import drawing, space
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    return space.Space(obj.matrix_world).of_object(drawing.shown_positions(obj, depsgraph))
+    meshes = [o for o in drawing.parts(obj, anew=True) if o.visible_get()]
+    own = space.Space(meshes[0].matrix_world)
+    out = [own.of_object(drawing.shown_positions(meshes[0], depsgraph))]
+    for one in meshes[1:]:
+        matrix = numpy.array(one.evaluated_get(depsgraph).matrix_world)
+        out.append(own.from_world(drawing.shown_positions(one, depsgraph) @ matrix[:3, :3].T + matrix[:3, 3]))
+    return numpy.concatenate(out)
 
 
 def of_file(obj, points):

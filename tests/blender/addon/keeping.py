@@ -113,6 +113,10 @@ class Keeping(unittest.TestCase):
         copy.data = self.obj.data.copy()
         bpy.context.scene.collection.objects.link(copy)
         bpy.context.view_layer.update()
+        # One armature carries both: one character, whose curves are told apart.
+        self.assertEqual(sorted(drawing.known(copy).numbers), [1, 2])
+        copy.modifiers.clear()
+        bpy.context.view_layer.update()
         self.assertEqual(len(drawing.known(copy).numbers), 1)
 
     def test_render(self):

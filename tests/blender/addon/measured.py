@@ -13,7 +13,7 @@ import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
-from penpose_blender import drawing, placing, rig  # noqa: E402
+from penpose_blender import drawing, known, placing, rig  # noqa: E402
 
 
 class Measured(made.Trial):
@@ -211,11 +211,11 @@ class Measured(made.Trial):
 
     def test_time_is_told(self):
         obj, _, _ = self.driven(lambda o, a: a, '')
-        kept, drawing.LONG = drawing.LONG, 0.0
+        kept, known.LONG = known.LONG, 0.0
         try:
             drawing.known(obj)
         finally:
-            drawing.LONG = kept
+            known.LONG = kept
         self.assertRegex(' '.join(drawing.said(obj)), r'measuring what \d+ controls of Plate do took \d')
 
     def test_measured_once_while_nothing_changes(self):

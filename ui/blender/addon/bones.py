@@ -1,26 +1,19 @@
-"""Pose bones as controls: their turns, with locks and limits in the angles that Blender applies them to."""
+"""Pose bones as controls: their turns, with locks and limits in the angles that Blender applies them to, and places and scales."""
 import math
 
 from mathutils import Euler, Quaternion
 
-from .controls import Refused, object_named
+from .controls import Refused, found, within
+from .held import Held, Member
 
 RIGHT_ANGLE = 0.5 * math.pi
 OWN = 'ZYX'  # Blender's name for Rx Ry Rz, which a joint of penpose is turned by
 
 
-def pose_bone_of(armature, name):
-    """A pose bone by the names of its armature and itself. Raises Refused."""
-    bone = object_named(armature).pose.bones.get(name)
-    if bone is None:
-        raise Refused('%s has no bone %s any more; draw again' % (armature, name))
-    return bone
-
-
-def limit_of(bone):
-    """The bone's own limit of rotation that is in force, or None."""
+def limit_of(bone, kind='LIMIT_ROTATION'):
+    """The own limit of a bone or object that is in force, or None."""
     for constraint in bone.constraints:
-        if constraint.type == 'LIMIT_ROTATION' and not constraint.mute and constraint.owner_space == 'LOCAL' and \
+        if constraint.type == kind and not constraint.mute and constraint.owner_space == 'LOCAL' and \
                 constraint.influence == 1:
             return constraint
     return None
@@ -123,11 +116,36 @@ def rotation_path(bone):
     return {'QUATERNION': 'rotation_quaternion', 'AXIS_ANGLE': 'rotation_axis_angle'}.get(bone.rotation_mode, 'rotation_euler')
 
 
-class BoneTurn:
+class _OfBone:
+    """Finds its pose bone again."""
+
+    def __init__(self, armature, bone):
+        self.held, self.member = Held(armature), Member(bone)
+
+    @property
+    def bone(self):
+        """The name of the bone."""
+        return self.member.name
+
+    @property
+    def object(self):
+        """The name of the armature."""
+        return self.held.name
+
+    def pose_bone(self):
+        """The bone. Raises Refused."""
+        bone = self.member.of(found(self.held).pose.bones)
+        if bone is None:
+            raise Refused('%s has no bone %s any more; draw again' % (self.held.name, self.member.name))
+        return bone
+
+
+class BoneTurn(_OfBone):
     """The turn of a pose bone: three angles, those about x, y and z in an order."""
 
     def __init__(self, armature, bone, order=OWN):
-        self.object, self.bone, self.order = armature.name, bone.name, order
+        super().__init__(armature, bone)
+        self.order = order
         self.names = ['%s.r%s' % (bone.name, axis) for axis in 'xyz']
         now = self.angles()
         self.limits = []
@@ -138,8 +156,10 @@ class BoneTurn:
                 least, most = max(-RIGHT_ANGLE, least), min(RIGHT_ANGLE, most)
             self.limits.append((min(least, now[axis]), max(most, now[axis])))
 
-    def pose_bone(self):
-        return pose_bone_of(self.object, self.bone)
+    @property
+    def name(self):
+        """As messages call it."""
+        return self.bone
 
     def angles(self):
         return list(seen_turn(self.pose_bone()).to_matrix().to_euler(self.order))
@@ -154,7 +174,6 @@ class BoneTurn:
         self.turn_to(values)
 
     def rest(self):
-        """What the character has as 0."""
         return [0.0] * 3
 
     def locked(self):
@@ -172,12 +191,15 @@ class BoneTurn:
         return any(bone.lock_rotation) or any(limits_of(bone))
 
     def kept(self):
-        """What give_back() brings back to the bit."""
         bone = self.pose_bone()
         return rotation_path(bone), list(getattr(bone, rotation_path(bone)))
 
     def give_back(self, kept):
         setattr(self.pose_bone(), *kept)
+
+    def channels(self):
+        bone = self.pose_bone()
+        return [(bone, rotation_path(bone), -1, bone.name)]
 
 
 class BoneAngle:
@@ -190,6 +212,11 @@ class BoneAngle:
         self.turn, self.axis = turn, axis
         self.name = turn.names[axis]
         self.now = self.get()
+
+    @property
+    def bone(self):
+        """The name of the bone."""
+        return self.turn.bone
 
     def get(self):
         return self.turn.angles()[self.axis]
@@ -212,33 +239,67 @@ class BoneAngle:
     def give_back(self, kept):
         self.turn.give_back(kept)
 
+    def channels(self):
+        return self.turn.channels()
 
-class BonePlace:
-    """One way that a bone which others follow may be shifted."""
 
-    def __init__(self, armature, bone, axis, reach):
-        self.object, self.bone, self.axis, self.reach = armature.name, bone.name, axis, reach
-        self.name = '%s.%s' % (bone.name, 'xyz'[axis])
-        self.STEP = 0.02 * reach
+class Channel:
+    """One number of a location, a scale or (of an object) a rotation as a control of its own, near where it is.
+
+    `reach`: how far it may go to either side where no limit says so; measured, for what a unit does is the rig's affair."""
+
+    LIMITS = {'location': 'LIMIT_LOCATION', 'scale': 'LIMIT_SCALE', 'rotation_euler': 'LIMIT_ROTATION'}
+    LETTERS = {'location': '', 'scale': 's', 'rotation_euler': 'r'}
+    LEAST_SCALE = 0.05
+
+    def __init__(self, owner, path, axis, step, armature=None):
+        self.of_bone = _OfBone(armature, owner) if armature is not None else None
+        self.held = Held(owner) if armature is None else None
+        self.path, self.axis, self.STEP, self.reach = path, axis, step, 0.0
+        self.name = '%s.%s%s' % (owner.name, self.LETTERS[path], 'xyz'[axis])
         self.now = self.get()
 
-    def pose_bone(self):
-        return pose_bone_of(self.object, self.bone)
+    @property
+    def bone(self):
+        """The name of the bone; empty for an object."""
+        return self.of_bone.bone if self.of_bone else ''
 
-    def get(self):
-        return self.pose_bone().location[self.axis]
+    def owner(self):
+        """The bone or object. Raises Refused."""
+        return self.of_bone.pose_bone() if self.of_bone else found(self.held)
 
-    def set(self, value):
-        self.pose_bone().location[self.axis] = value
+    def limit(self):
+        """Least and most that a constraint leaves; None where it leaves all."""
+        owner, letter = self.owner(), 'xyz'[self.axis]
+        one = limit_of(owner, self.LIMITS[self.path])
+        if one is None:
+            return None, None
+        if self.path == 'rotation_euler':
+            return (getattr(one, 'min_' + letter), getattr(one, 'max_' + letter)) if getattr(one, 'use_limit_' + letter) else (None, None)
+        return tuple(getattr(one, end + letter) if getattr(one, 'use_%s%s' % (end, letter)) else None for end in ('min_', 'max_'))
 
     def rest(self):
         return self.now
 
     def range(self):
-        return self.now - self.reach, self.now + self.reach
+        least, most = self.limit()
+        far = (max(self.LEAST_SCALE, self.now - self.reach) if self.path == 'scale' else self.now - self.reach, self.now + self.reach)
+        least, most = far[0] if least is None else least, far[1] if most is None else most
+        return min(least, self.now), max(most, self.now)
+
+    def get(self):
+        return getattr(self.owner(), self.path)[self.axis]
+
+    def set(self, value):
+        least, most = self.limit()
+        value = within(value, value if least is None else least, value if most is None else most)
+        getattr(self.owner(), self.path)[self.axis] = value
 
     def kept(self):
         return self.get()
 
     def give_back(self, kept):
-        self.set(kept)
+        getattr(self.owner(), self.path)[self.axis] = kept
+
+    def channels(self):
+        return [(self.owner(), self.path, self.axis, self.bone)]

@@ -1,8 +1,12 @@
-"""What of a rig in Blender penpose may move: shape keys and custom properties here, pose bones in bones.py.
+"""What of a rig in Blender penpose may move: shape keys and custom properties here, pose bones and objects in bones.py.
 
-A control is found again by names at each use, because undo and file loads leave no reference to a bone or key valid.
+A control is found again at each use, because undo and file loads leave no reference to a bone or key valid. All have the same calls:
+rest() is what the character has as 0, range() are least and most, get() and set() the value, kept() what give_back() brings back to
+the bit, channels() where its keyframes go: [(block, path, index, group)].
 """
 import bpy
+
+from .held import Held, Member
 
 TINY = 1e-6
 WIDEST = 1000.0  # wider ranges of custom properties are taken for none
@@ -12,67 +16,71 @@ class Refused(Exception):
     """What is asked for cannot be done; the text is one line for a person, with the remedy."""
 
 
-def object_named(name):
-    """The object of that name. Raises Refused."""
-    obj = bpy.data.objects.get((name, None))  # not a linked one of the same name
-    if obj is None:
-        raise Refused('the object %s is gone or has another name; select the mesh and draw again' % name)
-    return obj
+def found(held):
+    """The block that is held. Raises Refused."""
+    block = held.get()
+    if block is None:
+        raise Refused('%s is gone; select the mesh to draw on, and draw again' % held.name)
+    return block
 
 
-def _within(value, least, most):
+def within(value, least, most):
+    """A value brought into a range."""
     return min(most, max(least, value))
 
 
 class KeyControl:
-    """The value of a shape key."""
+    """The value of a shape key, or of those of several meshes that have one name. `keys`: pairs of (object, key)."""
 
-    def __init__(self, obj, key):
-        self.object = obj.name
-        self.key = key.name
-        self.name = key.name
-        self.least, self.most = key.slider_min, key.slider_max
+    def __init__(self, keys):
+        self.keys = [(Held(obj), Member(key)) for obj, key in keys]
+        first = keys[0][1]
+        self.key = self.name = first.name
+        least, most = max(k.slider_min for _, k in keys), min(k.slider_max for _, k in keys)
+        self.least, self.most = (least, most) if least < most else (first.slider_min, first.slider_max)
 
-    def _key(self):
-        keys = object_named(self.object).data.shape_keys
-        key = keys.key_blocks.get(self.key) if keys else None
-        if key is None:
-            raise Refused('%s has no shape key %s any more; draw again' % (self.object, self.key))
-        return key
+    def blocks(self):
+        """The keys themselves. Raises Refused."""
+        out = []
+        for held, member in self.keys:
+            keys = found(held).data.shape_keys
+            key = member.of(keys.key_blocks) if keys else None
+            if key is None:
+                raise Refused('%s has no shape key %s any more; draw again' % (held.name, member.name))
+            out.append(key)
+        return out
 
     def rest(self):
-        """What the character has as 0: the value nearest to 0 that the slider has."""
-        return _within(0.0, self.least, self.most)
+        return within(0.0, self.least, self.most)
 
     def range(self):
-        """Of the value."""
         return self.least, self.most
 
     def get(self):
-        return self._key().value
+        return self.blocks()[0].value
 
     def set(self, value):
-        self._key().value = _within(value, self.least, self.most)
+        for key in self.blocks():
+            key.value = within(value, self.least, self.most)
 
     def kept(self):
-        """What give_back() brings back to the bit."""
-        return self._key().value
+        return [key.value for key in self.blocks()]
 
     def give_back(self, kept):
-        self._key().value = kept
+        for key, value in zip(self.blocks(), kept):
+            key.value = value
 
-    def path(self):
-        """The block that a keyframe goes into, its path and index."""
-        return self._key(), 'value', -1
+    def channels(self):
+        return [(key, 'value', -1, '') for key in self.blocks()]
 
 
 class Property:
-    """A custom property that drives what is seen."""
+    """A custom property that drives what is seen. `path`: of the bone or whatever has it, in its block."""
 
-    def __init__(self, owner_path, owner, prop, name):
-        self.owner_path = owner_path  # of bpy.data, evaluated at each use
-        self.prop = prop
-        self.name = name
+    def __init__(self, block, path, prop, name):
+        self.held, self.owner_path, self.prop, self.name = Held(block), path, prop, name
+        self.bone = Member(block.path_resolve(path)) if path.startswith('pose.bones[') else None
+        owner = self.owner()
         self.whole = isinstance(owner[prop], int)
         ui = owner.id_properties_ui(prop).as_dict()
         self.least, self.most = (float(ui.get('soft_' + end, ui.get(end, 0.0))) for end in ('min', 'max'))
@@ -82,11 +90,15 @@ class Property:
             self.least, self.most = (max(self.least, min(-1.0, now - 1)), min(self.most, max(1.0, now + 1)))
 
     def owner(self):
-        return resolve(self.owner_path)
+        """What has the property. Raises Refused."""
+        block = found(self.held)
+        owner = self.bone.of(block.pose.bones) if self.bone else block.path_resolve(self.owner_path) if self.owner_path else block
+        if owner is None or self.prop not in owner:
+            raise Refused('%s has no property %s any more; draw again' % (self.held.name, self.prop))
+        return owner
 
     def rest(self):
-        """What the character has as 0."""
-        return _within(0.0, *self.range())
+        return within(0.0, *self.range())
 
     def range(self):
         now = self.get()
@@ -96,11 +108,10 @@ class Property:
         return float(self.owner()[self.prop])
 
     def set(self, value):
-        value = _within(float(value), *self.range())
+        value = within(float(value), *self.range())
         self.give_back(int(round(value)) if self.whole else value)
 
     def kept(self):
-        """What give_back() brings back to the bit."""
         return self.owner()[self.prop]
 
     def give_back(self, kept):
@@ -108,61 +119,41 @@ class Property:
         owner[self.prop] = kept
         owner.id_data.update_tag()
 
-    def path(self):
-        return self.owner(), '["%s"]' % bpy.utils.escape_identifier(self.prop), -1
+    def channels(self):
+        return [(self.owner(), '["%s"]' % bpy.utils.escape_identifier(self.prop), -1, self.bone.name if self.bone else '')]
 
 
-def resolve(path):
-    """The block that a path such as ('objects', 'Rig', 'pose.bones["face"]') names."""
-    block = getattr(bpy.data, path[0]).get(path[1])
-    if block is None:
-        raise Refused('%s, which drives what is drawn on, is gone or has another name; draw again' % path[1])
-    return block.path_resolve(path[2]) if path[2] else block
+class TwoSided:
+    """A control that does one thing above where it is and another below, as drivers with max() and min() do: two parameters, how
+    much of each."""
+
+    def __init__(self, control):
+        self.control, self.name, self.now = control, control.name, control.get()
+
+    def rest(self):
+        return [0.0, 0.0]
+
+    def get(self):
+        by = self.control.get() - self.now
+        return [max(0.0, by), max(0.0, -by)]
+
+    def set(self, values):
+        self.control.set(self.now + values[0] - values[1])
+
+    def locked(self):
+        return [False, False]
+
+    def kept(self):
+        return self.control.kept()
+
+    def give_back(self, kept):
+        self.control.give_back(kept)
+
+    def channels(self):
+        return self.control.channels()
 
 
 def drivers_of(block):
     """The drivers in force of a data-block."""
-    data = block.animation_data if block is not None else None
+    data = getattr(block, 'animation_data', None)
     return [d for d in data.drivers if not d.mute] if data else []
-
-
-def curves_that_act(obj, armature):
-    """The drivers that what is seen of an object depends on: of its keys, its modifiers, and the bones that carry it."""
-    keys = obj.data.shape_keys
-    out = [d for d in drivers_of(keys) if d.data_path.endswith('.value')]
-    out += [d for d in drivers_of(obj) if d.data_path.startswith('modifiers[')]
-    return out + [d for d in drivers_of(armature) if d.data_path.startswith('pose.bones[')]
-
-
-def properties_that_drive(curves):
-    """The custom properties of float or int that these drivers look at, as controls, each once; of those that are driven
-    themselves, the ones that drive them."""
-    found, seen, waiting = {}, set(), list(curves)
-    while waiting:
-        for variable in waiting.pop().driver.variables:
-            if variable.type != 'SINGLE_PROP' or variable.targets[0].id is None:
-                continue
-            block, data_path = variable.targets[0].id, variable.targets[0].data_path
-            head, bracket, tail = data_path.rpartition('["')
-            collection = _collection_of(block)
-            if not bracket or not tail.endswith('"]') or collection is None or (block.name, data_path) in seen:
-                continue
-            seen.add((block.name, data_path))
-            above = [d for d in drivers_of(block) if d.data_path == data_path]
-            waiting += above
-            name = bpy.utils.unescape_identifier(tail[:-2])
-            path = (collection, block.name, head)
-            try:
-                owner = resolve(path)
-                if not above and isinstance(owner[name], (float, int)) and not isinstance(owner[name], bool):
-                    found[path, name] = Property(path, owner, name, name)
-            except (KeyError, ValueError, AttributeError, TypeError):
-                continue
-    return list(found.values())
-
-
-def _collection_of(block):
-    for name in ('objects', 'armatures', 'meshes', 'shape_keys'):
-        if getattr(bpy.data, name).get(block.name) == block:
-            return name
-    return None

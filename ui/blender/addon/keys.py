@@ -4,8 +4,6 @@ import bpy
 import numpy as np
 
 from . import handles, keying_sets, versions
-from .bones import BonePlace, rotation_path
-from .controls import KeyControl, Property
 
 KEYED_THROUGH = ('CYCLES', 'STEPPED', 'NOISE')  # modifiers of curves below which keyframes still count
 AT_FRAME = 0.01  # frames: Blender takes keys that are nearer for one
@@ -14,18 +12,6 @@ AT_FRAME = 0.01  # frames: Blender takes keys that are nearer for one
 def wanted(scene):
     """Whether what a stroke moves is keyed."""
     return scene.tool_settings.use_keyframe_insert_auto or scene.keying_sets_all.active is not None
-
-
-def places_of(control):
-    """Where keyframes of a control go: [(block, path, index, group)]. Equal keys of several meshes are one control."""
-    if hasattr(control, 'channels'):
-        return control.channels()
-    if isinstance(control, (KeyControl, Property)):
-        return [(*control.path(), '')]
-    if isinstance(control, BonePlace):
-        return [(control.pose_bone(), 'location', control.axis, control.bone)]
-    bone = getattr(control, 'turn', control).pose_bone()
-    return [(bone, rotation_path(bone), -1, bone.name)]
 
 
 class Rules:
@@ -57,7 +43,7 @@ class Rules:
 
     def channels(self, controls):
         """The channels to key for controls that moved, each once."""
-        moved = [(block, keying_sets.channel(block, path, index, group)) for c in controls for block, path, index, group in places_of(c)]
+        moved = [(block, keying_sets.channel(block, path, index, group)) for c in controls for block, path, index, group in c.channels()]
         if self.set is None:
             found = [one for _, one in moved]
         else:

@@ -1,130 +1,279 @@
-"""What each control of a rig does, found by moving it a little and looking at the mesh that Blender evaluates.
+"""What each control of a rig does, found by moving it a little and looking at the surface that Blender evaluates.
 
-Drivers and constraints make any rig possible; near the pose as it is, each of its controls moves the vertices along straight ways.
+Drivers and constraints make any rig possible; near the pose as it is, each of its controls moves the vertices along straight ways. To
+evaluate is what costs time: only what may move the neighbourhood of the drawing is tried, what is near before what is far, and
+controls that share no vertex are tried at once.
 """
 import time
 
 import bpy
 import numpy as np
 
-from .bones import BoneAngle, BonePlace, BoneTurn, may_turn, order_of_locks
-from .controls import TINY, KeyControl, Refused, curves_that_act, drivers_of, properties_that_drive
+from .bones import BoneAngle, Channel
+from .candidates import extent
+from .controls import TINY, Refused, TwoSided
 from .library import Shape
+from .surface import making, normals_back, plain_normals
 
 STEP = 0.05  # of a control's range
-MOST_BONES = 120
 NEAR = 1e-6  # of the size: what Blender shows is what was computed
-# Modifiers that leave the vertices what they are; others are put aside while controls are measured.
-DEFORMING = ('ARMATURE', 'CAST', 'CORRECTIVE_SMOOTH', 'CURVE', 'DISPLACE', 'HOOK', 'LAPLACIANDEFORM', 'LATTICE', 'MESH_DEFORM',
-             'SHRINKWRAP', 'SIMPLE_DEFORM', 'SMOOTH', 'LAPLACIANSMOOTH', 'SURFACE_DEFORM', 'WARP', 'WAVE')
-LIMITS = ('LIMIT_ROTATION', 'LIMIT_LOCATION', 'LIMIT_SCALE')
+NOISE = 3e-7  # of the size: what single floats make of a place
+MOST_S = 1.2  # that measuring may take
+LEAST_TRIES = 30  # whatever they take
+WIDE = 10  # times as large as what is drawn: what moves more than that is not meant by it
+PART = 0.1  # of the greatest shift: vertices that go less are not what a control is for
+ALIKE = 0.995  # the cosine from which on two controls do the same
+BOTH_WAYS = 0.02  # of the shift: more of a difference between up and down is no straight way
 
 
-def _followed(armature):
-    """Names of the bones that constraints of others follow."""
-    return {c.subtarget for b in armature.pose.bones for c in b.constraints
-            if not c.mute and c.influence > 0 and getattr(c, 'target', None) == armature and getattr(c, 'subtarget', '')}
+class Way:
+    """Where a unit of a control moves vertices: `vertices` and `shifts` (n, 3)."""
+
+    def __init__(self, vertices, shifts):
+        self.vertices, self.shifts = vertices, shifts
+
+    @classmethod
+    def between(cls, before, after, mask, by, size):
+        """From two looks."""
+        vertices = np.flatnonzero(mask)
+        shifts = (after[vertices] - before[vertices])
+        moved = np.abs(shifts).max(axis=1) > NOISE * size
+        return cls(vertices[moved].astype(np.uint32), shifts[moved] / by)
+
+    def speed(self):
+        """The greatest shift."""
+        return float(np.linalg.norm(self.shifts, axis=1).max()) if len(self.shifts) else 0.0
+
+    def area(self, places):
+        """How large what it moves is."""
+        long = np.linalg.norm(self.shifts, axis=1)
+        return extent(places[self.vertices[long >= PART * long.max()]]) if len(long) else 0.0
+
+    def add_to(self, places, amount):
+        """Moves places (n, 3) by an amount of it."""
+        places[self.vertices] += amount * self.shifts
+
+    def shape(self, name, least, most):
+        """As a blend shape."""
+        return Shape(name, self.shifts.astype(np.float32), self.vertices, least, most)
+
+    def cosine(self, other, count):
+        """How alike two are."""
+        mine, theirs = np.zeros((count, 3)), np.zeros((count, 3))
+        self.add_to(mine, 1)
+        other.add_to(theirs, 1)
+        return abs(float((mine * theirs).sum())) / max(1e-30, float(np.linalg.norm(mine) * np.linalg.norm(theirs)))
 
 
-def _bone_controls(armature):
-    """What a person sees and may move: not hidden, not moved by constraints or drivers, not locked."""
-    out, driven, followed = [], [d.data_path for d in drivers_of(armature)], _followed(armature)
-    corners = [armature.data.bones[b.name].head_local for b in armature.pose.bones]
-    reach = 0.5 * max([(a - corners[0]).length for a in corners] + [b.length for b in armature.data.bones])
-    bones = [b for b in armature.pose.bones if not b.bone.hide and
-             not any(not c.mute and c.influence > 0 and c.type not in LIMITS for c in b.constraints)]
-    for bone in bones[:MOST_BONES]:
-        head = 'pose.bones["%s"].' % bpy.utils.escape_identifier(bone.name)
-        if may_turn(bone) and not any(p.startswith(head + 'rotation') for p in driven):
-            turn = BoneTurn(armature, bone, order_of_locks(bone))
-            out += [BoneAngle(turn, axis) for axis in range(3) if not bone.lock_rotation[axis]]
-        if bone.name in followed and not bone.bone.use_connect and head + 'location' not in driven:
-            out += [BonePlace(armature, bone, axis, reach) for axis in range(3) if not bone.lock_location[axis]]
-    return out
+class Measured:
+    """What was found of one control: its ways up and down (the same one where it is straight)."""
+
+    def __init__(self, candidate, up, down):
+        self.candidate, self.up, self.down = candidate, up, down
+        self.straight = up is down
+        self.control = candidate.control if self.straight else TwoSided(candidate.control)
+
+    def renew(self):
+        """From here on it is measured from where the control is now."""
+        control = self.candidate.control
+        if hasattr(control, 'now'):
+            control.now = control.get()
+        if not self.straight:
+            self.control.now = control.get()
+
+    def moves(self):
+        """Whether it moves anything."""
+        return bool(len(self.up.vertices) or len(self.down.vertices))
 
 
-def controls_of(obj, armature, keys):
-    """All controls that are measured; `keys`: the shape keys that are free."""
-    controls = [KeyControl(obj, k) for k in keys]
-    controls += properties_that_drive(curves_that_act(obj, armature))
-    return controls + (_bone_controls(armature) if armature is not None else [])
+def quiet(surface):
+    """Puts aside what costs time or makes other vertices while controls are tried; what wake() wants."""
+    suspended = [(held, m.name) for held in surface.aside for m in making(held.get())]
+    for held, name in suspended:
+        held.get().modifiers[name].show_viewport = False
+    return suspended, plain_normals([p.object() for p in surface.parts])
 
 
-def evaluated(obj, count):
-    """Where Blender shows the vertices of an object, in its own space (n, 3); None where modifiers change their number."""
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    mesh = obj.evaluated_get(depsgraph).data
-    if len(mesh.vertices) != count:
-        return None
-    out = np.empty(3 * count, dtype=np.float32)
-    mesh.vertices.foreach_get('co', out)
-    return out.reshape(-1, 3).astype(np.float64)
+def wake(kept):
+    """Undoes quiet()."""
+    suspended, normals = kept
+    for held, name in suspended:
+        if held.get() is not None and name in held.get().modifiers:
+            held.get().modifiers[name].show_viewport = True
+    normals_back(normals)
 
 
-def shows(obj, rig):
-    """Whether Blender shows the vertices where the character has them at its pose: what was measured then holds there, too."""
-    bpy.context.view_layer.update()
-    wanted = rig.character.evaluate()
-    shown = evaluated(obj, len(wanted))
-    if shown is None:
-        return False
-    size = np.linalg.norm(wanted.max(axis=0) - wanted.min(axis=0))
-    return bool(np.abs(rig.mesh.space.of_object(shown) - wanted).max() <= NEAR * size)
-
-
-def measured(obj, space, controls):
-    """The character's positions where all controls have what is their rest, a shape for each, and how long it took, s."""
-    begin = time.perf_counter()
-    count = len(obj.data.vertices)
-    suspended = [m for m in obj.modifiers if m.show_viewport and m.type not in DEFORMING]
-    for modifier in suspended:
-        modifier.show_viewport = False
-    try:
-        now = _look(obj, count)
-        base, found = now.copy(), []
-        for control in controls:
-            way = _way(obj, control, now)
-            base -= (control.get() - control.rest()) * way
-            found.append((control, way))
-        _look(obj, count)
-    finally:
-        for modifier in suspended:
-            modifier.show_viewport = True
-    out, used = [], set()
-    for control, way in found:
-        name = control.name
-        while name in used:
-            name += ' '
-        used.add(name)
-        way = space.of_object(way)
-        way[np.abs(way).max(axis=1) < TINY * max(1e-9, np.abs(base).max())] = 0
-        least, most = (end - control.rest() for end in control.range())
-        out.append(Shape(name, way.astype(np.float32), None, min(0.0, least), max(0.0, most)))
-    return space.of_object(base), out, time.perf_counter() - begin
-
-
-def _way(obj, control, now):
-    """Where a unit of a control moves the vertices, from a small step of it; the control has then what it had, to the bit."""
-    kept, value = control.kept(), control.get()
-    least, most = control.range()
-    step = getattr(control, 'STEP', STEP * (most - least))
-    if getattr(control, 'whole', False):
-        step = max(1.0, round(step))
-    if value + step > most:
-        step = -step
-    try:
-        control.set(value + step)
-        moved = control.get() - value
-        return (_look(obj, len(now)) - now) / moved if abs(moved) > TINY else np.zeros_like(now)
-    finally:
-        control.give_back(kept)
-
-
-def _look(obj, count):
-    bpy.context.view_layer.update()
-    seen = evaluated(obj, count)
+def looked(surface):
+    """What Blender shows. Raises Refused."""
+    seen = surface.look()
     if seen is None:
-        raise Refused('a modifier changes the number of vertices of %s; turn it off in the viewport while you draw' % obj.name)
+        raise Refused('a modifier changes the number of vertices of %s; turn it off in the viewport while you draw' %
+                      surface.parts[0].held.name)
+    return checked(surface, seen)
+
+
+def checked(surface, seen):
+    """Places that are finite. Raises Refused."""
     if not np.isfinite(seen).all():
-        raise Refused('%s shows a vertex that is not finite (NaN); mend its keys, bones or drivers' % obj.name)
+        bad = next(p for p in surface.parts if not np.isfinite(seen[p.first:p.first + p.count]).all())
+        raise Refused('%s shows a vertex that is not finite (NaN); mend its keys, bones or drivers' % bad.held.name)
     return seen
+
+
+def chosen(found, near, places):
+    """Those of the candidates that what is drawn may mean, the likeliest first. `near`: vertices that curves lie on; None: all count."""
+    if near is None or not len(near):
+        return sorted(found, key=lambda c: c.late)
+    touching = [c for c in found if c.mask[near].any()]
+    drawn = max(extent(places[near]), 1e-9)
+    wide = {}
+    for c in touching:
+        if id(c.mask) not in wide:
+            wide[id(c.mask)] = extent(places[c.mask])
+    meant = [c for c in touching if c.place is None or c.fed or wide[id(c.mask)] <= WIDE * drawn]
+    line = places[near]
+    return sorted(meant or touching,
+                  key=lambda c: (c.late, 0.0 if c.place is None or c.fed else float(np.linalg.norm(line - c.place, axis=1).min())))
+
+
+def _step(control):
+    least, most = control.range()
+    step = getattr(control, 'STEP', None)
+    if step is None or isinstance(control, Channel) and None not in control.limit():
+        step = STEP * (most - least)
+    return max(1.0, round(step)) if getattr(control, 'whole', False) else step
+
+
+def _by(control, step):
+    """A step of a control that its range has room for; 0: none."""
+    value, (least, most) = control.get(), control.range()
+    if isinstance(control, Channel):
+        ends = control.limit()
+        least, most = -np.inf if ends[0] is None else ends[0], np.inf if ends[1] is None else ends[1]
+    return step if least - TINY <= value + step <= most + TINY else 0.0
+
+
+def _batches(wanted):
+    """Candidates that share no vertex go together."""
+    out = []
+    for one in wanted:
+        for batch in out:
+            if not (batch[0] & one.mask).any():
+                batch[0] |= one.mask
+                batch[1].append(one)
+                break
+        else:
+            out.append([one.mask.copy(), [one]])
+    return [batch for _, batch in out]
+
+
+class Trials:
+    """Trying controls, at one pose. `now`: what is shown there."""
+
+    def __init__(self, surface):
+        self.surface, self.begin = surface, time.perf_counter()
+        self.kept = quiet(surface)
+        try:
+            looked(surface)
+            self.now = looked(surface)
+        except Refused:
+            wake(self.kept)
+            raise
+        self.size = extent(self.now)
+        self.tries = 0
+
+    def end(self):
+        """All is as it was, and seen as it is."""
+        wake(self.kept)
+        bpy.context.view_layer.update()
+
+    def late(self):
+        """Whether no more should be tried."""
+        return self.tries >= LEAST_TRIES and time.perf_counter() - self.begin > MOST_S
+
+    def ways(self, batch, sign):
+        """The ways of candidates that are moved at once, by their ids; None for one that has no room."""
+        kept, by = [], {}
+        try:
+            for one in batch:
+                step = _by(one.control, sign * _step(one.control))
+                if step:
+                    kept.append((one.control, one.control.kept()))
+                    before = one.control.get()
+                    one.control.set(before + step)
+                    by[id(one)] = one.control.get() - before
+            moved = {k: v for k, v in by.items() if abs(v) > TINY}
+            seen = self.surface.look() if moved else None
+            self.tries += bool(moved)
+        finally:
+            for control, value in reversed(kept):
+                control.give_back(value)
+        if seen is None:
+            return {}
+        checked(self.surface, seen)
+        return {id(one): Way.between(self.now, seen, one.mask, by[id(one)], self.size) for one in batch if id(one) in moved}
+
+    def measure(self, wanted):
+        """What the candidates do, as far as there is time for, and how many were left."""
+        out, left = [], 0
+        for batch in _batches(wanted):
+            if self.late():
+                left += len(batch)
+                continue
+            up = self.ways(batch, 1)
+            both = [one for one in batch if one.fed or id(one) not in up]
+            down = self.ways(both, -1) if both else {}
+            for one in batch:
+                a, b = up.get(id(one)), down.get(id(one))
+                if a is None and b is None:
+                    continue
+                if a is None or b is None or not _differ(a, b, self.surface.count):
+                    a = b = a if a is not None else b
+                out.append(Measured(one, a, b))
+        return [one for one in out if one.moves()], left
+
+
+def _differ(up, down, count):
+    a, b = np.zeros((count, 3)), np.zeros((count, 3))
+    up.add_to(a, 1)
+    down.add_to(b, 1)
+    return float(np.abs(a - b).max()) > BOTH_WAYS * max(float(np.abs(a).max()), float(np.abs(b).max()))
+
+
+def settled(found, places, near):
+    """Gives controls without limits their range, and leaves out those that others do as well: a driver's control comes first."""
+    for one in found:
+        control = one.candidate.control
+        if isinstance(control, Channel):
+            speed = max(one.up.speed(), one.down.speed())
+            control.reach = 0.5 * max(one.up.area(places), one.down.area(places)) / max(speed, 1e-12)
+    if near is not None and len(near):
+        touched = np.zeros(len(places), dtype=bool)
+        touched[near] = True
+        found = [one for one in found if touched[one.up.vertices].any() or touched[one.down.vertices].any()]
+        drawn = WIDE * extent(places[near])
+        meant = [one for one in found if one.candidate.place is None or one.candidate.fed or one.up.area(places) <= drawn]
+        found = meant or found
+    first = [one for one in found if one.candidate.fed]
+    return [one for one in found if one.candidate.fed or not isinstance(one.candidate.control, (Channel, BoneAngle)) or
+            not any(one.up.cosine(other.up, len(places)) > ALIKE for other in first)]
+
+
+def shapes_of(found, now):
+    """The surface where all controls have what is their rest, and a shape for each parameter."""
+    base, out, used = now.copy(), [], set()
+    for one in found:
+        name = one.control.name
+        while name in used or name + '-' in used:
+            name += ' '
+        used |= {name, name + '-'}
+        control = one.candidate.control
+        least, most = control.range()
+        if one.straight:
+            rest = control.rest()
+            one.up.add_to(base, rest - control.get())
+            out.append(one.up.shape(name, min(0.0, least - rest), max(0.0, most - rest)))
+        else:
+            out.append(one.up.shape(name, 0.0, max(0.0, most - control.get())))
+            out.append(Way(one.down.vertices, -one.down.shifts).shape(name + '-', 0.0, max(0.0, control.get() - least)))
+    return base, out

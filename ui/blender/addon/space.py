@@ -47,6 +47,10 @@ class Space:
         """Points (n, 3) of the character, in the world."""
         return np.asarray(points, dtype=np.float64) @ np.array(self.turn).T + np.array(self.place)
 
+    def from_world(self, points):
+        """Points (n, 3) of the world, in the character's space."""
+        return (np.asarray(points, dtype=np.float64) - np.array(self.place)) @ np.array(self.turn)
+
     def of_world(self, point):
         """A point of the world, in the character's space."""
         return self.turn.transposed() @ (point - self.place)

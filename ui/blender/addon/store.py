@@ -2,14 +2,15 @@
 
 A curve is {"id", "role": "reference" or "constraint", "points": [[triangle, a, b, c], ...] on the mesh's triangles, "rest": where those
 are at rest, and of a reference that has its target "target": {"view": ..., "px": [[x, y], ...], "pressure": [...]},
-drawn, or {"points": [[x, y, z], ...]}, placed.
+drawn, or {"points": [[x, y, z], ...]}, placed. Where a curve goes over several parts of a character, the object of most of its points
+keeps it, "on" has for each point the name of another object or "", and "topologies" those of the others. Places and views are in the
+space of the object that keeps it (character.frame_of()).
 """
 import json
 
 import bpy
 import numpy as np
 from mathutils import Vector
-from mathutils.bvhtree import BVHTree
 
 from .library import View
 
@@ -29,6 +30,8 @@ def _checked(kept):
             raise ValueError('a curve without its role')
         if points.ndim != 2 or points.shape[1] != 4 or rest.shape != (len(points), 3) or points[:, 0].min() < 0:
             raise ValueError('a curve without its points')
+        if 'on' in curve and not (len(curve['on']) == len(points) and set(curve['on']) <= {'', *curve['topologies']}):
+            raise ValueError('a curve whose points lie on unknown parts')
         target = curve.get('target')
         if target is None:
             continue
@@ -116,29 +119,17 @@ def places_of(curve, triangles, positions):
     return np.einsum('ij,ijk->ik', points[:, 1:], corners)
 
 
-def found_again(kept, mesh):
-    """Moves curves to a mesh whose topology changed; the ids of those that lie on it no more, which are taken out."""
-    last = max((point[0] for curve in kept['curves'] for point in curve['points']), default=-1)
-    if kept['topology'] == mesh.topology and last < len(mesh.triangles) or not kept['curves']:
-        kept['topology'] = mesh.topology
-        return []
-    tree = BVHTree.FromPolygons([Vector(p) for p in mesh.rest], [tuple(t) for t in mesh.triangles.tolist()])
-    size = float(np.linalg.norm(mesh.rest.max(axis=0) - mesh.rest.min(axis=0)))
-    retired = []
-    for curve in list(kept['curves']):
-        points = []
-        for place in curve['rest']:
-            at, _, triangle, distance = tree.find_nearest(Vector(place))
-            if at is None or distance > NEAR * size:
-                break
-            points.append([triangle, *shares_of(mesh.rest[mesh.triangles[triangle]], np.array(at))])
-        if len(points) == len(curve['rest']):
-            curve['points'] = points
-        else:
-            retired.append(curve['id'])
-            kept['curves'].remove(curve)
-    kept['topology'] = mesh.topology
-    return retired
+def found_again(surface, rest):
+    """Points of the surface as it is now that lie where a curve was at rest (n, 3): [(triangle, shares)]; None where one lies off."""
+    tree = surface.tree()
+    size = float(np.linalg.norm(surface.rest.max(axis=0) - surface.rest.min(axis=0)))
+    out = []
+    for place in rest:
+        at, _, triangle, distance = tree.find_nearest(Vector(place))
+        if at is None or distance > NEAR * size:
+            return None
+        out.append((triangle, shares_of(surface.rest[surface.triangles[triangle]], np.array(at))))
+    return out
 
 
 def shares_of(corners, place):

@@ -1,6 +1,7 @@
 """What changed in Blender's interface after 3.4, with the version that changed it. All else of the add-on is the same everywhere."""
 import os
 
+import blf
 import bpy
 import gpu
 import numpy as np
@@ -12,6 +13,21 @@ MANY_CORNERS = 30000  # from which on custom normals make a pen lag
 def line_shader():
     """The shader of lines of one colour and of any width. 4.0 took the 3D out of its name."""
     return gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR' if VERSION >= (4, 0, 0) else '3D_POLYLINE_UNIFORM_COLOR')
+
+
+def flat_shader():
+    """The shader of triangles and points of one colour; renamed with the other."""
+    return gpu.shader.from_builtin('UNIFORM_COLOR' if VERSION >= (4, 0, 0) else '3D_UNIFORM_COLOR')
+
+
+def flat_shader_of_px():
+    """The same in px of a region, (n, 2)."""
+    return gpu.shader.from_builtin('UNIFORM_COLOR' if VERSION >= (4, 0, 0) else '2D_UNIFORM_COLOR')
+
+
+def set_text_size(points):
+    """Of what blf draws next. 4.0 took its dpi away."""
+    blf.size(0, points) if VERSION >= (4, 0, 0) else blf.size(0, points, 72)
 
 
 def plain_normals(mesh, corners=None):
@@ -109,3 +125,9 @@ def bone_seen(armature, pose_bone):
 def bone_selected(pose_bone):
     """Whether a pose bone is selected. 5.0 keeps that on the pose bone."""
     return pose_bone.select if hasattr(pose_bone, 'select') else pose_bone.bone.select
+
+
+def editable_override(block):
+    """Lets an override be edited: 3.4 makes all but the chosen object's for the system alone."""
+    if hasattr(block.override_library, 'is_system_override'):
+        block.override_library.is_system_override = False
