@@ -93,11 +93,20 @@ def add(obj, surface, points, curve):
     number = 1 + max((c['id'] for c in curves(obj)), default=0)
     kept = store.read(holder)
     number = max(number, kept['next'])
+    if 'target' in curve:
+        curve = {**curve, 'target': _target_to_owner(surface, holder, curve['target'])}
     out = {'id': number, **curve, 'topology': owner.topology, **lying(owner, lies, points), 'rest': to_owner(surface, holder, places).tolist()}
     kept['topology'], kept['next'] = owner.topology, number + 1
     kept['curves'].append(out)
     store.write(holder, kept)
     return number
+
+
+def _target_to_owner(surface, holder, target):
+    if 'points' in target:
+        return {'points': to_owner(surface, holder, target['points']).tolist()}
+    return {**target, 'view': {k: list(v) if isinstance(v, tuple) else v for k, v in
+                               vars(view_to_owner(surface, holder, target['view'])).items()}}
 
 
 def lie_count(lies):

@@ -4,13 +4,13 @@ call: Stroke, with follow() for each part of a target, then end() or cancel().
 import numpy as np
 from mathutils import Vector
 
-from . import curves, keys, store, surface  # noqa: F401
+from . import across, curves, keys, store, surface  # noqa: F401
 from .curves import change, delete, kept_all, parts, places, put_back_all, target_places  # noqa: F401 what others draw and list
 from .controls import Refused
 from .held import Held
 from .known import bring_curves, forget, in_step, known, of, said  # noqa: F401
 from .library import Error, Preset, Role
-from .limits import chosen
+from .limits import character_of, chosen, make_override, overridable  # noqa: F401
 from .rig import give_back
 
 ROUNDS = 6  # after each a measured rig is measured again where it moved, and what locks and limits left is taken
@@ -158,6 +158,20 @@ def keep_curve(one, obj, number, role):
     if role == 'reference' and one.rig.measured:
         one.prepare(obj)
     return made
+
+
+def mirrored(obj, number, replace=False):
+    """Makes a curve and its target on the other side of the character, as a new one (`replace`: instead), and solves. The controls that
+    moved. Raises Refused."""
+    one = known(obj, measured=False)
+    curve = next((c for c in curves.curves(obj) if c['id'] == number), None)
+    if curve is None:
+        raise Refused('%s has no curve %s' % (obj.name, number))
+    points, made = across.flipped(one.rig.surface, curve)
+    if replace:
+        delete(obj, number)
+    curves.add(obj, one.rig.surface, points, made)
+    return solve_again(obj) if 'target' in made else []
 
 
 def become_its_file(obj):
