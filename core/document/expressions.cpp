@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/rig/control_names.h"
+#include "core/rig/names/face_names.h"
 
 namespace penpose::document {
 namespace {
@@ -56,6 +57,23 @@ std::optional<std::size_t> expression_named(const Model& model, std::string_view
     if (!other && preset != nullptr && preset_named(own) == preset) other = i;
   }
   return other;
+}
+
+std::vector<std::size_t> expressions_named(const Model& model, std::string_view name) {
+  if (const auto own = expression_named(model, name)) return {*own};
+  const auto wanted = rig::face_name(name);
+  std::vector<std::size_t> alike;
+  std::vector<std::size_t> others;
+  if (!wanted) return alike;
+  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
+    const auto one = rig::face_name(model.expressions[i].name);
+    if (!one || one->meaning != wanted->meaning) continue;
+    if (one->side == wanted->side)
+      alike.push_back(i);
+    else if (one->side == rig::Side::none || wanted->side == rig::Side::none)
+      others.push_back(i);
+  }
+  return alike.empty() ? others : alike;
 }
 
 std::string_view preset_of(std::string_view expression_name) {

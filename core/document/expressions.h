@@ -16,6 +16,10 @@ namespace penpose::document {
 /// expression.
 [[nodiscard]] std::optional<std::size_t> expression_named(const Model& model, std::string_view name);
 
+/// The expressions that a name of another program means: that of expression_named, or where there is none, those whose
+/// name means the same (rig::face_name): on the same side, or else on none; without a side, both sides. Ascending.
+[[nodiscard]] std::vector<std::size_t> expressions_named(const Model& model, std::string_view name);
+
 /// The name of an expression as VRM 1.0 has it among its presets (VRMC_vrm, expressions): "happy" for "Joy",
 /// "blinkLeft" for "Blink_L". Empty: it is none of them.
 [[nodiscard]] std::string_view preset_of(std::string_view expression_name);

@@ -1,17 +1,18 @@
 #include "core/rig/control_names.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+
+#include "core/rig/names/face_names.h"
+#include "core/rig/names/name_letters.h"
 
 namespace penpose::rig {
 namespace {
 
 constexpr std::size_t k_longest_prefix = 96;
 
-bool is_small(char c) { return c >= 'a' && c <= 'z'; }
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_other_script(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 bool is_letter(char c) { return is_small(c) || is_capital(c) || is_other_script(c); }
 
 /// Whether a name may begin at `at`, after a prefix.
@@ -36,6 +37,43 @@ Match match(std::string_view own, std::string_view wanted) {
   const bool sided =
       own.size() == wanted.size() + 1 && own.starts_with(wanted) && (own.back() == 'l' || own.back() == 'r');
   return sided ? Match::side : Match::none;
+}
+
+/// The meaning of a name, with or without a prefix that it shares with others.
+std::optional<FaceName> meaning_of(std::string_view name, std::span<const std::string> prefixes) {
+  if (auto own = face_name(name)) return own;
+  for (const std::string& prefix : prefixes) {
+    if (!name.starts_with(prefix)) continue;
+    if (auto own = face_name(name.substr(prefix.size()))) return own;
+  }
+  return std::nullopt;
+}
+
+/// The controls whose name means what a name means.
+std::vector<std::size_t> controls_meaning(std::span<const Parameter> parameters, std::string_view name,
+                                          std::span<const std::string> prefixes) {
+  const auto wanted = face_name(name);
+  if (!wanted) return {};
+  constexpr std::array k_sides{Side::none, Side::left, Side::right};
+  std::array<std::vector<std::size_t>, 3> found;  // one a side
+  std::array<std::size_t, 3> rank{};
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto own = meaning_of(parameters[i].name, prefixes);
+    if (!own || own->meaning != wanted->meaning) continue;
+    const auto side = static_cast<std::size_t>(std::find(k_sides.begin(), k_sides.end(), own->side) - k_sides.begin());
+    if (!found[side].empty() && own->rank > rank[side]) continue;
+    if (!found[side].empty() && own->rank < rank[side]) found[side].clear();
+    rank[side] = own->rank;
+    found[side].push_back(i);
+  }
+  const auto& [both, left, right] = found;
+  if (wanted->side == Side::left) return left.empty() ? both : left;
+  if (wanted->side == Side::right) return right.empty() ? both : right;
+  if (!both.empty()) return both;
+  std::vector<std::size_t> sides = left;
+  sides.insert(sides.end(), right.begin(), right.end());
+  std::stable_sort(sides.begin(), sides.end());
+  return sides;
 }
 
 }  // namespace
@@ -84,7 +122,8 @@ std::vector<std::size_t> controls_named(std::span<const Parameter> parameters, s
     if (found == Match::none && ends) longer.push_back(i);
   }
   if (!exact.empty()) return exact;
-  if (!sides.empty() || longer.empty()) return sides;
+  if (!sides.empty()) return sides;
+  if (longer.empty() && !face_name(name)) return sides;
   std::vector<std::string_view> names;
   for (const Parameter& parameter : parameters) names.emplace_back(parameter.name);
   const auto prefixes = shared_prefixes(names);
@@ -98,7 +137,8 @@ std::vector<std::size_t> controls_named(std::span<const Parameter> parameters, s
       if (found != Match::none) break;
     }
   }
-  return exact.empty() ? sides : exact;
+  if (!exact.empty()) return exact;
+  return sides.empty() ? controls_meaning(parameters, name, prefixes) : sides;
 }
 
 }  // namespace penpose::rig

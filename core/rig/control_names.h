@@ -24,7 +24,9 @@ namespace penpose::rig {
 
 /// The controls that a name of another program means: the one of that folded name, or where there is none, those of it
 /// with a side behind it (browInnerUp: browInnerUp_L and browInnerUp_R), or where there are none, the same among the
-/// names without a prefix that several controls share (shared_prefixes): then each mesh's own. Ascending; empty: none.
+/// names without a prefix that several controls share (shared_prefixes): then each mesh's own. Where there is none of
+/// these either, those whose name means the same (face_name): on the same side, or else on none; of several that mean
+/// it, the first by the table. Ascending; empty: none.
 [[nodiscard]] std::vector<std::size_t> controls_named(std::span<const Parameter> parameters, std::string_view name);
 
 }  // namespace penpose::rig

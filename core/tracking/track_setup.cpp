@@ -8,6 +8,7 @@
 #include "core/base/text/joined.h"
 #include "core/document/features/known_heads.h"
 #include "core/rig/control_names.h"
+#include "core/tracking/driven_controls.h"
 
 namespace penpose::tracking {
 namespace {
@@ -272,34 +273,15 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
 }
 
 std::vector<animation::UnitControl> unit_controls(const document::Model& model, const animation::PointTrack& track) {
-  // What each unit of the Facial Action Coding System (Ekman and Friesen 1978) does, in ARKit's words.
-  constexpr std::array<std::pair<const char*, const char*>, 16> k_units{{{"AU01", "browInnerUp"},
-                                                                         {"AU02", "browOuterUp"},
-                                                                         {"AU04", "browDown"},
-                                                                         {"AU06", "cheekSquint"},
-                                                                         {"AU09", "noseSneer"},
-                                                                         {"AU10", "mouthUpperUp"},
-                                                                         {"AU12", "mouthSmile"},
-                                                                         {"AU14", "mouthDimple"},
-                                                                         {"AU15", "mouthFrown"},
-                                                                         {"AU17", "mouthShrugLower"},
-                                                                         {"AU18", "mouthPucker"},
-                                                                         {"AU20", "mouthStretch"},
-                                                                         {"AU22", "mouthFunnel"},
-                                                                         {"AU24", "mouthPress"},
-                                                                         {"AU26", "jawOpen"},
-                                                                         {"AU28", "mouthRollLower"}}};
+  // Those that a picture shows well, of the Facial Action Coding System (Ekman and Friesen 1978).
+  constexpr std::array<std::string_view, 16> k_units{"AU01", "AU02", "AU04", "AU06", "AU09", "AU10", "AU12", "AU14",
+                                                     "AU15", "AU17", "AU18", "AU20", "AU22", "AU24", "AU26", "AU28"};
   std::vector<animation::UnitControl> controls;
   for (std::size_t u = 0; u < track.unit_names.size(); ++u) {
-    for (const auto& [unit, name] : k_units) {
-      if (track.unit_names[u] != unit) continue;
-      for (const std::string side : {"", "_L", "_R"}) {
-        for (const std::size_t p : rig::controls_named(model.rig->parameters(), name + side)) {
-          const bool there =
-              std::any_of(controls.begin(), controls.end(), [&](const auto& one) { return one.parameter == p; });
-          if (!there) controls.push_back({u, p});
-        }
-      }
+    if (std::find(k_units.begin(), k_units.end(), track.unit_names[u]) == k_units.end()) continue;
+    for (const DrivenControl& one : driven_controls(model, track.unit_names[u])) {
+      const auto same = [&](const animation::UnitControl& other) { return other.parameter == one.parameter; };
+      if (std::none_of(controls.begin(), controls.end(), same)) controls.push_back({u, one.parameter});
     }
   }
   return controls;
