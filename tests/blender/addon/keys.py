@@ -51,7 +51,7 @@ class Keys(unittest.TestCase):
 
     def control(self, key):
         from penpose_blender.controls import KeyControl
-        return KeyControl(self.obj, key)
+        return KeyControl([(self.obj, key)])
 
     def turn(self):
         from penpose_blender.bones import BoneTurn
@@ -296,6 +296,19 @@ class Keys(unittest.TestCase):
         self.scene.frame_set(3)
         keys.key([self.control(self.up)], frame=17)
         self.assertEqual(self.frames(self.obj.data.shape_keys, 'key_blocks["up"].value'), [17])
+
+    def test_keys_of_several_meshes(self):
+        """One control that is a key of each."""
+        from penpose_blender.controls import KeyControl
+        other = made.plate('Teeth')
+        twin = made.add_key(other, 'up', (0, 0, 0.2))
+        control = KeyControl([(self.obj, self.up), (other, twin)])
+        control.set(0.5)
+        self.auto()
+        self.scene.frame_set(4)
+        self.assertEqual(keys.key([control]), 2)
+        for mesh in (self.obj, other):
+            self.assertEqual([tuple(p.co) for p in keys.curve_of(mesh.data.shape_keys, 'key_blocks["up"].value').keyframe_points], [(4, 0.5)])
 
     def test_locked_curve(self):
         self.auto()

@@ -17,7 +17,7 @@ import sys
 import bpy
 from bpy.app.handlers import persistent
 
-_NAMES = ('pen', 'sketch', 'grease', 'recording', 'panel', 'drawing', 'overlay', 'tools')
+_NAMES = ('preferences', 'pen', 'hold', 'mirror', 'override', 'pie', 'sketch', 'grease', 'pencil_film', 'recording', 'panel', 'drawing', 'overlay', 'tools')
 _loaded = {}  # modules by name, while the add-on is enabled
 
 
@@ -39,6 +39,7 @@ def _forget(*_):
     """In another file nothing that was known is so."""
     _loaded['recording'].end_all()
     _loaded['drawing'].forget()
+    _loaded['overlay'].forget()
     bpy.context.window_manager.penpose.curve = 0
 
 
@@ -96,6 +97,7 @@ def register():
     _loaded['pen'].register()
     _loaded['tools'].register()
     _loaded['overlay'].register()
+    _loaded['hold'].register()
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
 
@@ -109,6 +111,7 @@ def unregister():
     _loaded['drawing'].forget()
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
+    _loaded['hold'].unregister()
     _loaded['overlay'].unregister()
     _loaded['tools'].unregister()
     _loaded['pen'].unregister()

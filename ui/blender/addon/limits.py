@@ -46,6 +46,15 @@ def overridable(context):
     return active if active.library is not None else None
 
 
+def _linked_collection(scene, obj):
+    """The collection of the scene's own that a linked one lies in, and the linked one, which an object comes with; Nones."""
+    for above in (scene.collection, *scene.collection.children_recursive):
+        for linked in above.children if above.library is None else ():
+            if linked.library is not None and obj in linked.all_objects[:]:
+                return above, linked
+    return None, None
+
+
 def make_override(context):
     """Overrides the linked character that is active. Its mesh, active now. Raises Refused."""
     active = overridable(context)
@@ -57,7 +66,10 @@ def make_override(context):
         if made is not None and active.name in bpy.data.objects:
             bpy.data.objects.remove(active)
     else:
-        made = active.override_hierarchy_create(context.scene, context.view_layer)
+        above, linked = _linked_collection(context.scene, active)
+        made = (linked or active).override_hierarchy_create(context.scene, context.view_layer)
+        if made is not None and linked is not None:
+            above.children.unlink(linked)  # the override lies beside it
     if made is None:
         raise Refused('%s cannot be overridden; make a library override of its collection (Object > Library Override > Make)' % name)
     fresh = [o for o in bpy.data.objects if o not in before and o.override_library is not None]

@@ -2,14 +2,9 @@
 import bpy
 import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
-from . import drawing, versions
+from . import curves, drawing, hint, lines, over_time
 
-COLORS = {'reference': (0.25, 0.75, 1.0, 1.0), 'constraint': (0.9, 0.9, 0.9, 1.0), 'target': (1.0, 0.6, 0.15, 1.0),
-          'general': (0.6, 0.85, 0.35, 1.0), 'specific': (0.95, 0.85, 0.3, 1.0)}
-EDGE = (0.05, 0.05, 0.05, 0.6)  # below each line, so that it is seen on bright skin too
-WIDTH, CHOSEN_WIDTH = 2.5, 4.0
 FAINT = 0.35  # of the opacity: a constraint that is not heeded
 
 _handlers = []
@@ -23,57 +18,51 @@ def show_stroke(stroke, region=None, earlier=()):
     _region[0] = region.as_pointer() if region is not None else 0
 
 
-def _shader():
-    shader = versions.line_shader()
-    shader.bind()
-    shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-    shader.uniform_bool('lineSmooth', [True])
-    return shader
-
-
-def _line(shader, points, color, width=WIDTH, opacity=1.0):
-    batch = batch_for_shader(shader, 'LINE_STRIP', {'pos': np.ascontiguousarray(points, dtype=np.float32)})
-    for wide, shade in ((width + 2, EDGE), (width, color)):
-        shader.uniform_float('lineWidth', wide * bpy.context.preferences.system.pixel_size)
-        shader.uniform_float('color', (*shade[:3], shade[3] * opacity))
-        batch.draw(shader)
-
-
 def _shown(context):
     from .pen import mesh_of
     obj = mesh_of(context)
-    return obj if obj is not None and obj.type == 'MESH' and obj.get(drawing.store.PROPERTY) else None
+    return obj if obj is not None and context.space_data.overlay.show_overlays and curves.curves(obj) else None
 
 
 def draw_curves():
     """What the object keeps: in space, over everything."""
     context = bpy.context
     obj = _shown(context)
-    if obj is None or not context.space_data.overlay.show_overlays:
+    if obj is None:
         return
-    chosen = context.window_manager.penpose.curve
-    shader = _shader()
+    pen = context.window_manager.penpose
     gpu.state.blend_set('ALPHA')
     gpu.state.depth_test_set('NONE')
+    if (pen.arcs or pen.ghosts) and not context.screen.is_animation_playing:
+        over_time.draw(obj, context.scene, pen)
+    shader = lines.line_shader()
     for curve, points in drawing.places(obj, context.evaluated_depsgraph_get()):
-        width = CHOSEN_WIDTH if curve['id'] == chosen else WIDTH
-        _line(shader, points, COLORS[curve['role']], width, FAINT if curve.get('off') else 1.0)
+        width = lines.CHOSEN_WIDTH if curve['id'] == pen.curve else lines.WIDTH
+        lines.line(shader, points, lines.COLORS[curve['role']], width, FAINT if curve.get('off') else 1.0)
         if 'target' in curve:
-            _line(shader, drawing.target_places(obj, curve), COLORS['target'], width)
+            lines.line(shader, drawing.target_places(obj, curve), lines.SHOULD_BE, width)
     gpu.state.depth_test_set('LESS_EQUAL')
     gpu.state.blend_set('NONE')
 
 
+def _flat(places):
+    return np.column_stack([places, np.zeros(len(places))])
+
+
 def draw_stroke():
-    """The line that is being drawn, in px."""
+    """The line that is being drawn, in px, and what of another frame follows it."""
+    if bpy.context.region is None:
+        return
+    hint.draw(bpy.context)
     if not _strokes or bpy.context.region.as_pointer() != _region[0]:
         return
-    shader = _shader()
+    shader = lines.line_shader()
     gpu.state.blend_set('ALPHA')
     for stroke in _strokes:
         if len(stroke.px) > 1:
-            places = stroke.places()
-            _line(shader, np.column_stack([places, np.zeros(len(places))]), COLORS[stroke.kind])
+            if hasattr(stroke, 'line_of_frame'):
+                lines.line(shader, _flat(stroke.line_of_frame()), over_time.color_of(stroke.frame - bpy.context.scene.frame_current))
+            lines.line(shader, _flat(stroke.places()), lines.COLORS[stroke.kind])
     gpu.state.blend_set('NONE')
 
 
@@ -86,3 +75,9 @@ def unregister():
     while _handlers:
         bpy.types.SpaceView3D.draw_handler_remove(_handlers.pop(), 'WINDOW')
     show_stroke(None)
+    over_time.forget()
+
+
+def forget():
+    """Nothing of an object is remembered."""
+    over_time.forget()

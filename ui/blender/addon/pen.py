@@ -1,10 +1,11 @@
 """The pen in the viewport: one stroke is one operator and one step of undo."""
 import bpy
-from bpy.props import EnumProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
 
-from . import drawing, overlay, recording, versions
+from . import arcs, curves, drawing, overlay, preferences, pull, recording
 from .controls import Refused
 from .library import Error
+from .moment_stroke import MomentStroke
 from .rig import check
 from .space import seen_by
 
@@ -51,20 +52,16 @@ def redraw():
 
 
 def mesh_of(context):
-    """The mesh that is drawn on: the active object, or the one that the active armature carries and was drawn on last."""
-    active = context.active_object
-    if active is not None and active.type == 'ARMATURE':
-        carried = [o for o in context.view_layer.objects if o.type == 'MESH' and o.find_armature() == active and o.visible_get()]
-        chosen = [o for o in carried if o.select_get()] or sorted(carried, key=lambda o: -len(o.data.vertices))
-        return chosen[0] if chosen else None
-    return active
+    """The mesh that is drawn on: the active object, or the largest of the character that the active one is part of."""
+    return drawing.character_of(context)
 
 
 def why_not(context):
     """Why nothing can be drawn on now, in a line with the remedy; empty: it can."""
     obj = mesh_of(context)
-    if obj is None or obj.type != 'MESH':
-        return 'Select the mesh to draw on'
+    if obj is None:
+        linked = drawing.overridable(context)
+        return '%s is linked; make an override of it to draw on it' % linked.name if linked else 'Select the mesh to draw on'
     try:
         check(obj)
     except Refused as problem:
@@ -76,6 +73,15 @@ class PENPOSE_PG_pen(bpy.types.PropertyGroup):
     """What the pen draws next. It belongs to the session, not to the file."""
     kind: EnumProperty(name='Next Stroke', description='What the next stroke of the pen is', items=KINDS, default='AUTO')
     curve: IntProperty(name='Curve', description='The reference that the next stroke is the target of; 0: in turn', default=0, min=0)
+    selected_only: BoolProperty(name='Selected Only', default=False, description='Only selected bones move; of a mesh its active shape key')
+    arcs: BoolProperty(name='Arcs', default=False, update=lambda self, context: redraw(),
+                       description='Show the way of each reference over time. Drag a frame of it to pull the face there')
+    ghosts: BoolProperty(name='Ghosts', default=False, update=lambda self, context: redraw(),
+                         description='Show the face before (violet) and after (cyan). Draw over a line of one to pose it')
+    arc_frames: IntProperty(name='Frames', default=12, min=1, max=100, description='Of an arc, on either side of now')
+    ghost_count: IntProperty(name='Ghosts', default=2, min=1, max=9, description='On either side of now')
+    ghost_at: EnumProperty(name='At', items=[('KEYS', 'Keys', 'On the frames that have keys'), ('FRAMES', 'Frames', 'Every so many frames')])
+    ghost_step: IntProperty(name='Step', default=5, min=1, max=100, description='Frames between ghosts')
 
 
 def next_stroke(obj, kind='AUTO', curve=0):
@@ -84,7 +90,7 @@ def next_stroke(obj, kind='AUTO', curve=0):
     pen = bpy.context.window_manager.penpose
     if kind == 'AUTO' and not curve:
         kind, curve = pen.kind, pen.curve
-    references = [c for c in drawing.store.read(obj)['curves'] if c['role'] == 'reference']
+    references = [c for c in curves.curves(obj) if c['role'] == 'reference']
     chosen = [c for c in references if c['id'] == curve]
     waiting = [c for c in references if 'target' not in c]
     if kind == 'AUTO':
@@ -132,7 +138,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
 
     def invoke(self, context, event):
         obj = mesh_of(context)
-        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, ''
+        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, None
         self.kind_drawn = next_stroke(obj, self.kind, self.curve)[0]
         if context.region is not None and context.region.type == 'WINDOW' and event.value in {'PRESS', 'CLICK_DRAG'}:
             if not self._press(context, event, context.region, obj):
@@ -145,17 +151,29 @@ class PENPOSE_OT_draw(bpy.types.Operator):
     def _press(self, context, event, region, obj):
         """The pen touches: the stroke begins. Whether it does."""
         try:
-            self.kind_drawn, curve = next_stroke(obj, self.kind, self.curve)
-            self.stroke = drawing.Stroke(obj, self.kind_drawn, seen_in(region, region.data, obj), curve)
+            self.stroke = self._begun(context, event, region, obj)
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
             return False
         self.button, self.corner = event.type, (region.x, region.y)
         self._take(event)
         if self.kind_drawn == 'target':
-            self.plain = versions.plain_normals(obj.data)
+            self.plain = drawing.plain_normals(obj)
         overlay.show_stroke(self.stroke, region)
         return True
+
+    def _begun(self, context, event, region, obj):
+        """The stroke that begins here: a drawn target or another frame that lies below the pen, else what is drawn next."""
+        self.kind_drawn, curve = next_stroke(obj, self.kind, self.curve)
+        pen, seen = context.window_manager.penpose, seen_in(region, region.data, obj)
+        if self.kind == pen.kind == 'AUTO' and self.kind_drawn == 'reference':
+            place = event.mouse_x - region.x, event.mouse_y - region.y
+            moment = arcs.hit(obj, place, seen, context.scene, pen)
+            pulled = None if moment else pull.hit(obj, place, seen, context.preferences.system.ui_scale)
+            if moment or pulled:
+                self.kind_drawn = 'target'
+                return MomentStroke(obj, *moment, seen) if moment else pull.Pull(obj, pulled, seen)
+        return drawing.Stroke(obj, self.kind_drawn, seen, curve)
 
     def _say(self, context):
         what = '%s of %s' % (self.kind_drawn.capitalize(), self.object)
@@ -218,6 +236,8 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         elif event.type in {'ESC', 'RIGHTMOUSE'}:
             self.leave()
             return {'CANCELLED'}
+        elif event.value == 'RELEASE' and event.type != self.button:
+            return {'PASS_THROUGH'}  # a key that was held for the pen
         elif event.type == self.button and event.value == 'RELEASE' or event.type == 'RET':
             self._normals_back()
             moved = self.stroke.end(obj)
@@ -235,11 +255,13 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         for said in drawing.said(obj):
             self.report({'INFO'}, said)
         if moved or self.kind_drawn == 'target':
-            tell_moved(self, obj, moved, self.stroke.keyed)
+            tell_moved(self, obj, moved, self.stroke.keyed, getattr(self.stroke, 'frame', None))
+            if moved:
+                preferences.hint_was_read(bpy.context)
 
     def _normals_back(self):
-        name, self.plain = self.plain, ''
-        versions.normals_back(name)
+        token, self.plain = self.plain, None
+        drawing.normals_back(token)
 
     def cancel(self, context):
         self.leave()
@@ -262,14 +284,14 @@ def control_name(control):
     return getattr(control, 'name', None) or control.bone
 
 
-def tell_moved(operator, obj, moved, keyed=0):
+def tell_moved(operator, obj, moved, keyed=0, frame=None):
     """Says which controls moved, and why none did."""
     if moved:
         names = ', '.join(control_name(c) for c in moved[:8]) + (', ...' if len(moved) > 8 else '')
-        on = ' and keyed on frame %d' % bpy.context.scene.frame_current if keyed else ''
+        on = ' and keyed on frame %g' % (bpy.context.scene.frame_current if frame is None else frame) if keyed else ''
         operator.report({'INFO'}, 'Moved%s: %s' % (on, names))
         return
-    others = len([c for c in drawing.store.read(obj)['curves'] if c['role'] == 'constraint' or 'target' in c]) > 1
+    others = len([c for c in curves.curves(obj) if c['role'] == 'constraint' or 'target' in c]) > 1
     operator.report({'WARNING'}, 'nothing moved: the other curves hold it; delete those that are done, or draw them again' if others else
                     'nothing moved: no free control brings the reference nearer to that line')
 
@@ -280,7 +302,7 @@ class _WithCurves:
     @classmethod
     def poll(cls, context):
         obj = mesh_of(context)
-        if obj is None or not obj.get(drawing.store.PROPERTY):
+        if obj is None or not curves.curves(obj):
             cls.poll_message_set('No curve is drawn on the active object')
             return False
         return True
@@ -343,14 +365,11 @@ class PENPOSE_OT_hold(_WithCurves, bpy.types.Operator):
 
     def execute(self, context):
         obj = mesh_of(context)
-        kept = drawing.store.read(obj)
-        curve = drawing.store.find(kept, self.curve)
-        if curve is None or curve['role'] != 'constraint':
+        curve = next((c for c in curves.curves(obj) if c['id'] == self.curve and c['role'] == 'constraint'), None)
+        if curve is None:
             self.report({'WARNING'}, 'there is no such constraint')
             return {'CANCELLED'}
-        if not curve.pop('off', False):
-            curve['off'] = True
-        drawing.store.write(obj, kept)
+        drawing.change(obj, self.curve, lambda c: c.pop('off', False) or c.update(off=True))
         redraw()
         return {'FINISHED'}
 

@@ -1,28 +1,44 @@
-"""The pen as a tool of Blender's toolbar, in Object and in Pose mode."""
+"""The pen as a tool of Blender's toolbar, in Object and in Pose mode, and its settings in the header."""
 import bpy
+
+from . import free_keys
+
+NAMES = {'OBJECT': 'penpose.pen', 'POSE': 'penpose.pen_in_pose'}
+
+
+def in_hand(context):
+    """Whether the pen is the active tool."""
+    tool = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
+    return tool is not None and tool.idname == NAMES.get(context.mode)
 
 
 def _settings(context, layout, tool):
-    layout.prop(context.window_manager.penpose, 'kind', text='Next', expand=False)
+    pen = context.window_manager.penpose
+    layout.row(align=True).prop(pen, 'kind', expand=True, icon_only=True)
+    layout.prop(pen, 'selected_only', text='', icon='RESTRICT_SELECT_OFF')
+    row = layout.row(align=True)
+    row.prop(pen, 'arcs', text='', icon='CURVE_PATH')
+    row.prop(pen, 'ghosts', text='', icon='GHOST_ENABLED')
 
 
 class PenposeTool(bpy.types.WorkSpaceTool):
     bl_space_type = 'VIEW_3D'
     bl_context_mode = 'OBJECT'
-    bl_idname = 'penpose.pen'
+    bl_idname = NAMES['OBJECT']
     bl_label = 'Penpose'
     bl_description = 'Pose by drawing: where the feature is, then where it should be'
     bl_icon = 'ops.curve.draw'
     bl_keymap = (('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS'}, {'properties': [('kind', 'AUTO')]}),
                  ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'shift': True}, {'properties': [('kind', 'constraint')]}),
-                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'ctrl': True}, {'properties': [('kind', 'reference')]}))
+                 ('penpose.draw', {'type': 'LEFTMOUSE', 'value': 'PRESS', 'ctrl': True}, {'properties': [('kind', 'reference')]}),
+                 ('wm.call_menu_pie', {'type': free_keys.PIE, 'value': 'PRESS'}, {'properties': [('name', 'PENPOSE_MT_pie')]}))
     draw_settings = staticmethod(_settings)
 
 
 class PenposePoseTool(bpy.types.WorkSpaceTool):
     bl_space_type = PenposeTool.bl_space_type
     bl_context_mode = 'POSE'
-    bl_idname = 'penpose.pen_in_pose'
+    bl_idname = NAMES['POSE']
     bl_label = PenposeTool.bl_label
     bl_description = PenposeTool.bl_description
     bl_icon = PenposeTool.bl_icon

@@ -1,0 +1,125 @@
+"""Motion arcs of the drawn curves and ghosts of the face over time, and what of them a pen touches.
+
+An arc is the way of the middle of a reference over the frames around the current one; a ghost is the face on another frame. Both are
+found where they are drawn, from the curves of the controls, and never while the animation plays."""
+import bpy
+import numpy as np
+
+from . import curves, drawing
+from .moments import Moments, Shapes
+
+REACH_PX = 10.0  # so near to a frame of an arc, or to a line of a ghost, is on it
+APART_PX = 6.0  # a ghost's line that is nearer to the face's own line is not taken for it
+_seen = {}  # the Shapes of the character that was shown last
+
+
+class Arc:
+    """The way of one curve: `frames`, `points` (n, 3) of the world, `keyed` (which frames have a key)."""
+
+    def __init__(self, curve, frames, points, keyed):
+        self.curve, self.frames, self.points, self.keyed = curve, frames, points, keyed
+
+
+class Ghost:
+    """The face on another frame: `away` counts ghosts from now (-1: the one before), `lines` are [(curve, (n, 3) of the world)]."""
+
+    def __init__(self, frame, away, pose, lines):
+        self.frame, self.away, self.pose, self.lines = frame, away, pose, lines
+
+
+class Times:
+    """What is known of a character over time; made anew for each picture."""
+
+    def __init__(self, obj):
+        one = drawing.of(obj)
+        if one is None or not one.rig.parts or one.kept is None:
+            raise LookupError(obj.name)  # it is not read yet
+        self.rig, self.numbers, self.space = one.rig, one.numbers, one.rig.mesh.space
+        self.moments = Moments(self.rig)
+        self.now = np.clip(self.rig.pose() - self.rig.offsets, self.rig.least, self.rig.most)
+        self.shapes = shapes_of(one)
+        self.curves = {c['id']: c for c in curves.curves(obj) if c['role'] == 'reference' and c['id'] in self.numbers}
+
+    def line(self, curve, frame):
+        """Where a curve is on a frame (n, 3), in the world."""
+        return self.space.to_world(self.shapes.curve(self.numbers[curve], self.moments.pose(frame)))
+
+
+def shapes_of(one):
+    """What is remembered of a known character at poses."""
+    stamp = one.rig, tuple(one.numbers.items())
+    kept = _seen.get('shapes')
+    if kept is None or kept.stamp[0] is not stamp[0] or kept.stamp[1] != stamp[1]:
+        kept = _seen['shapes'] = Shapes(one.rig)
+        kept.stamp = stamp
+    return kept
+
+
+def forget():
+    """Nothing is remembered."""
+    _seen.clear()
+
+
+def frames_around(scene, pen):
+    """The frames that arcs go through."""
+    now = scene.frame_current
+    return list(range(now - pen.arc_frames, now + pen.arc_frames + 1))
+
+
+def ghost_frames(times, scene, pen):
+    """[(frame, away)] of the ghosts, the nearest first: at keys, or every so many frames."""
+    now, count = scene.frame_current, pen.ghost_count
+    if pen.ghost_at == 'FRAMES':
+        return [(now + side * n * pen.ghost_step, side * n) for n in range(1, count + 1) for side in (-1, 1)]
+    keyed = times.moments.keyed()
+    before, after = [f for f in keyed if f < now][::-1][:count], [f for f in keyed if f > now][:count]
+    return [(f, -n - 1) for n, f in enumerate(before)] + [(f, n + 1) for n, f in enumerate(after)]
+
+
+def arcs_of(times, scene, pen):
+    """The arcs of all references, without those that stay where they are."""
+    frames = frames_around(scene, pen)
+    keyed = set(times.moments.keyed())
+    out = []
+    for curve in times.curves:
+        points = np.array([times.line(curve, f)[_middle(times, curve)] for f in frames])
+        if np.ptp(points, axis=0).max() > 1e-6 * max(1e-9, np.abs(points).max()):
+            out.append(Arc(curve, frames, points, [f in keyed for f in frames]))
+    return out
+
+
+def _middle(times, curve):
+    return len(times.curves[curve]['points']) // 2
+
+
+def ghosts_of(times, scene, pen):
+    """The ghosts, the farthest first."""
+    out = []
+    for frame, away in ghost_frames(times, scene, pen):
+        out.append(Ghost(frame, away, times.moments.pose(frame), [(c, times.line(c, frame)) for c in times.curves]))
+    return sorted(out, key=lambda ghost: -abs(ghost.away))
+
+
+def hit(obj, place, seen, scene, pen):
+    """What a pen touches at a place of the region: ('arc' or 'ghost', curve, frame), or None."""
+    if not (pen.arcs or pen.ghosts):
+        return None
+    drawing.known(obj)
+    times, found = Times(obj), []
+
+    def away(points):
+        px = seen.places(seen.view.project(times.space.from_world(points)))
+        return np.linalg.norm(px - np.asarray(place), axis=1)
+    for arc in arcs_of(times, scene, pen) if pen.arcs else ():
+        near = away(arc.points)
+        i = int(np.argmin(near))
+        found.append((near[i], 'arc', arc.curve, arc.frames[i]))
+    for ghost in ghosts_of(times, scene, pen) if pen.ghosts else ():
+        for curve, line in ghost.lines:
+            near = away(line)
+            i = int(np.argmin(near))
+            here = away(times.space.to_world(times.shapes.curve(times.numbers[curve], times.now)))
+            if here.min() > max(APART_PX, near[i]):
+                found.append((near[i], 'ghost', curve, ghost.frame))
+    found = [one for one in found if one[0] <= REACH_PX * max(1.0, bpy.context.preferences.system.ui_scale)]
+    return min(found)[1:] if found else None

@@ -1,0 +1,110 @@
+"""Arcs and ghosts in the viewport: before now violet, after it cyan, the farther away the fainter."""
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+
+from . import arcs, drawing, lines, versions
+
+BEFORE, AFTER, NOW = 0xc04bff, 0x19c8d8, 0xffffff
+FADE = 0.6  # each ghost shows so much of the one before it
+OPAQUE = 0.3  # of the nearest ghost's face
+MOVED = 0.002  # of the size: where a ghost lies as the face does now, nothing is drawn
+TICK, KEY = 5.0, 9.0  # px of a frame on an arc, and of one with a key
+MOST_KEPT = 40
+
+_batches = {}
+_reading = []  # characters that are read as soon as Blender has time
+
+
+def forget():
+    """Nothing is remembered."""
+    _batches.clear()
+    arcs.forget()
+
+
+def color_of(away, opacity=1.0):
+    """The colour of a moment that lies so far from now."""
+    return lines.srgb(BEFORE if away < 0 else AFTER if away > 0 else NOW, opacity)
+
+
+def draw(obj, scene, pen):
+    """The arcs and ghosts of a character."""
+    try:
+        times = arcs.Times(obj)
+    except LookupError:
+        _read_soon(obj.name)
+        return
+    except (drawing.Refused, drawing.Error, ReferenceError):
+        return
+    if pen.ghosts:
+        for ghost in arcs.ghosts_of(times, scene, pen):
+            _draw_ghost(times, ghost)
+    if pen.arcs:
+        for arc in arcs.arcs_of(times, scene, pen):
+            _draw_arc(arc, scene.frame_current)
+
+
+def _read_soon(name):
+    """Reads a character outside of drawing, where nothing may be measured."""
+    if name in _reading:
+        return
+    _reading.append(name)
+
+    def read():
+        _reading.remove(name)
+        obj = bpy.data.objects.get(name)
+        try:
+            if obj is not None:
+                drawing.known(obj)
+                obj.update_tag()
+        except (drawing.Refused, drawing.Error):
+            pass
+    bpy.app.timers.register(read, first_interval=0.01)
+
+
+def _draw_ghost(times, ghost):
+    share = FADE ** (abs(ghost.away) - 1)
+    batch = _face(times, ghost)
+    if batch is not None:
+        shader = versions.flat_shader()
+        shader.bind()
+        shader.uniform_float('color', color_of(ghost.away, OPAQUE * share))
+        gpu.state.face_culling_set('BACK')
+        batch.draw(shader)
+        gpu.state.face_culling_set('NONE')
+    shader = lines.line_shader()
+    for _, points in ghost.lines:
+        lines.line(shader, points, color_of(ghost.away, share), edge=False)
+
+
+def _face(times, ghost):
+    """What of the face lies elsewhere then, as triangles; None where nothing does."""
+    name = id(times.rig.character), ghost.pose.tobytes(), times.now.tobytes()
+    if name not in _batches:
+        if len(_batches) >= MOST_KEPT:
+            _batches.clear()
+        there, here = times.shapes.vertices(ghost.pose), times.shapes.vertices(times.now)
+        moved = np.abs(there - here).max(axis=1) > MOVED * np.linalg.norm(np.ptp(here, axis=0))
+        triangles = times.shapes.character.triangles
+        triangles = triangles[moved[triangles].any(axis=1)]
+        _batches[name] = batch_for_shader(versions.flat_shader(), 'TRIS', {'pos': times.space.to_world(there).astype(np.float32)},
+                                          indices=np.ascontiguousarray(triangles, dtype=np.int32)) if len(triangles) else None
+    return _batches[name]
+
+
+def _draw_arc(arc, now):
+    middle = arc.frames.index(now)
+    shader = lines.line_shader()
+    for part, away in ((slice(0, middle + 1), -1), (slice(middle, None), 1)):
+        if len(arc.points[part]) > 1:
+            lines.line(shader, arc.points[part], color_of(away), 2.0)
+    shader = versions.flat_shader()
+    shader.bind()
+    for keyed, size in ((False, TICK), (True, KEY)):
+        gpu.state.point_size_set(size * bpy.context.preferences.system.pixel_size)
+        for away in (-1, 0, 1):
+            points = [p for p, f, k in zip(arc.points, arc.frames, arc.keyed) if k == keyed and np.sign(f - now) == away]
+            if points:
+                shader.uniform_float('color', color_of(away))
+                batch_for_shader(shader, 'POINTS', {'pos': np.array(points, dtype=np.float32)}).draw(shader)
