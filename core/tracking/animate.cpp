@@ -7,6 +7,7 @@
 #include "core/document/time/head_joints.h"
 #include "core/tracking/head_placement.h"
 #include "core/tracking/motion_animation.h"
+#include "core/tracking/retime.h"
 #include "core/tracking/track_setup.h"
 #include "core/tracking/weight_animation.h"
 
@@ -33,26 +34,52 @@ base::Status check_options(const AnimateOptions& options) {
   if (!within(options.smooth_s, 0, 60)) return wrong("smooth", "0 to 60 s");
   if (!within(options.least_confidence, 0, 1)) return wrong("confidence", "0 to 1");
   if (options.fps != 0 && !within(options.fps, 0.1, 10000)) return wrong("fps", "0.1 to 10000");
+  if (options.stretch != 0 && !within(options.stretch, 0.1, 10000)) return wrong("stretch", "0.1 to 10000");
   if (options.tremor_px && !within(*options.tremor_px, 0, 1000)) return wrong("tremor", "0 to 1000 px");
   return base::Done{};
 }
 
-/// Frames at an even rate, whatever times the file gives. Notes of the track with the one on its rate, where it counts.
+/// The track at the rate that is asked for; `frame` is then the one at its time. Notes of the track with the one on its
+/// rate, where it counts.
 template <typename Track>
-std::vector<std::string> retime(Track& track, double fps) {
-  std::vector<std::string> notes = track.notes;
-  if (fps <= 0 && !track.rate_note.empty()) notes.push_back(track.rate_note);
-  for (std::size_t f = 0; fps > 0 && f < track.frames.size(); ++f) {
-    track.frames[f].time_s = static_cast<double>(f) / fps;
+base::Result<std::vector<std::string>> retimed(Track& track, const AnimateOptions& options,
+                                               std::optional<std::size_t>& frame) {
+  if (options.stretch > 0) stretch(track, options.stretch);
+  if (options.fps > 0 && !track.frames.empty()) {
+    const double time_s = frame ? track.frames[*frame].time_s - track.frames.front().time_s : 0;
+    if (auto done = resample(track, options.fps); !done) return done.error();
+    if (frame) *frame = std::min(track.frames.size() - 1, static_cast<std::size_t>(time_s * options.fps + 0.5));
   }
+  std::vector<std::string> notes = track.notes;
+  if (!track.rate_note.empty()) notes.push_back(track.rate_note);
   return notes;
+}
+
+void note_without_effect(const AnimateOptions& options, std::vector<std::string>& notes) {
+  const auto note = [&](bool given, const char* option, const char* why) {
+    if (given) notes.push_back(std::string(option) + " has no effect: " + why);
+  };
+  note(options.tremor_px.has_value(), "--tremor", "the track has values, no points; --smooth smooths them");
+  note(options.least_confidence != AnimateOptions{}.least_confidence, "--confidence",
+       "the track has values, no points");
+  note(options.units, "--units", "the track has no points beside its values");
+  note(!options.curves.empty(), "--curves", "the track has values, no points");
 }
 
 base::Result<Solved> from_values(const document::Model& model, animation::WeightTrack& track, const io::MapFile& map,
                                  const AnimateOptions& options, bool apply_head) {
   Solved solved;
   Animated& out = solved.animated;
-  out.notes = retime(track, options.fps);
+  const bool percent = divide_percent(track);
+  if (options.neutral) {
+    if (auto done = subtract_neutral(track, *options.neutral); !done) return done.error();
+  }
+  std::optional<std::size_t> none;
+  auto notes = retimed(track, options, none);
+  if (!notes) return notes.error();
+  out.notes = *std::move(notes);
+  note_without_effect(options, out.notes);
+  if (percent) out.notes.emplace_back("its values are percent: they are divided by 100");
   WeightAnimation played = animate_weights(model, track, map, apply_head, options.smooth_s);
   if (!played.drives) {
     return base::Error{"the model has a control for none of its " + std::to_string(track.names.size()) + " columns",
@@ -62,6 +89,7 @@ base::Result<Solved> from_values(const document::Model& model, animation::Weight
   out.poses = std::move(played.poses);
   out.held = std::move(played.held);
   out.unmatched = std::move(played.unmatched);
+  out.nearest = std::move(played.nearest);
   out.notes.insert(out.notes.end(), played.notes.begin(), played.notes.end());
   if (apply_head && played.placements.empty()) {
     out.notes.emplace_back(
@@ -85,20 +113,23 @@ base::Result<Solved> from_points(const document::Model& model, animation::PointT
                                  const AnimateOptions& options, bool apply_head, const animation::FrameWatch& watch) {
   Solved solved;
   Animated& out = solved.animated;
-  out.notes = retime(track, options.fps);
-  auto setup = make_setup(model, track, map, options.curves, out.notes);
-  if (!setup) return setup.error();
-  if (std::string note = head_note(map, *setup); apply_head && !note.empty()) out.notes.push_back(std::move(note));
   if (options.neutral.value_or(0) >= track.frames.size()) {
     return base::Error{"there is no frame " + std::to_string(*options.neutral) + "; the track has " +
                            std::to_string(track.frames.size()),
                        "neutral", "frames count from 0"};
   }
+  std::optional<std::size_t> neutral = options.neutral;
+  auto notes = retimed(track, options, neutral);
+  if (!notes) return notes.error();
+  out.notes = *std::move(notes);
+  auto setup = make_setup(model, track, map, options.curves, out.notes);
+  if (!setup) return setup.error();
+  if (std::string note = head_note(map, *setup); apply_head && !note.empty()) out.notes.push_back(std::move(note));
   if (options.units) {
     setup->units = unit_controls(model, track);
     if (setup->units.empty()) out.notes.emplace_back("the track has no action units that the model has controls for");
   }
-  setup->neutral = options.neutral;
+  setup->neutral = neutral;
   setup->tremor_px = options.tremor_px;
   setup->smooth_s = options.smooth_s;
   setup->least_confidence = options.least_confidence;
@@ -139,9 +170,11 @@ base::Result<Solved> from_motion(const document::Model& model, const io::MotionT
   }
   out.unmatched = std::move(played->unmatched);
   out.notes = std::move(played->notes);
-  if (options.fps > 0 || options.smooth_s > 0) {
+  if (options.fps > 0 || options.stretch > 0 || options.smooth_s > 0) {
     out.notes.emplace_back("a motion keeps its own keys: it is neither smoothed nor given another frame rate");
   }
+  if (options.neutral) out.notes.emplace_back("--neutral has no effect: a motion says what rest is");
+  note_without_effect(options, out.notes);
   solved.animation = std::move(played->animation);
   return solved;
 }

@@ -6,17 +6,78 @@
 #include "core/animation/signal/denoise.h"
 #include "core/base/math.h"
 #include "core/base/numbers.h"
+#include "core/base/text/closest_name.h"
 #include "core/geometry/rotation.h"
+#include "core/io/tracks/track_formats.h"
+#include "core/io/tracks/vmd/shift_jis.h"
 #include "core/rig/control_names.h"
 #include "core/tracking/driven_controls.h"
 
 namespace penpose::tracking {
 namespace {
 
-std::string renamed(const io::MapFile& map, const std::string& name) {
-  const auto other =
+/// A control that a column drives.
+struct Drive {
+  DrivenControl to;
+  double offset = 0;
+  const std::vector<std::pair<double, double>>* response = nullptr;  ///< null: values as they are
+};
+
+/// A value by a response: straight between its points, level beyond them.
+double responded(const std::vector<std::pair<double, double>>& points, double value) {
+  const auto next = std::find_if(points.begin(), points.end(), [&](const auto& one) { return one.first >= value; });
+  if (next == points.begin()) return points.front().second;
+  if (next == points.end()) return points.back().second;
+  const auto& [x0, y0] = *(next - 1);
+  const auto& [x1, y1] = *next;
+  return y0 + (y1 - y0) * (value - x0) / (x1 - x0);
+}
+
+const std::vector<io::MapTarget>* mapped(const io::MapFile& map, const std::string& name) {
+  const auto found =
       std::find_if(map.names.begin(), map.names.end(), [&](const auto& pair) { return pair.first == name; });
-  return other == map.names.end() ? name : other->second;
+  return found == map.names.end() ? nullptr : &found->second;
+}
+
+/// The control whose name begins with one that was cut off at the 15 bytes that a .vmd file has for it; nothing: it is
+/// shorter, or several controls begin so.
+std::optional<std::size_t> control_cut_off(const document::Model& model, const std::string& name) {
+  constexpr std::size_t k_vmd_bytes = 15;
+  if (io::shift_jis_of(name, k_vmd_bytes + 1).bytes.size() != k_vmd_bytes) return std::nullopt;
+  const auto parameters = model.rig->parameters();
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!parameters[i].name.starts_with(name)) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+/// What a column drives, and whether its name says at least that nothing moves.
+struct Column {
+  std::vector<Drive> drives;
+  bool known = false;
+};
+
+Column column_named(const document::Model& model, const io::MapFile& map, const std::string& name) {
+  Column column;
+  if (const auto* targets = mapped(map, name)) {
+    for (const io::MapTarget& target : *targets) {
+      column.known = column.known || is_driven(model, target.control);
+      for (DrivenControl one : driven_controls(model, target.control)) {
+        one.gain *= target.gain;
+        column.drives.push_back({one, target.offset, target.response.empty() ? nullptr : &target.response});
+      }
+    }
+    return column;
+  }
+  for (const DrivenControl& one : driven_controls(model, name)) column.drives.push_back({one});
+  column.known = is_driven(model, name);
+  if (!column.known && map.format != nullptr && map.format->name == "vmd") {
+    if (const auto cut = control_cut_off(model, name)) column.drives.push_back({{*cut, 1}});
+  }
+  return column;
 }
 
 /// The column of that folded name, or past the end.
@@ -54,25 +115,28 @@ std::vector<std::string> notes_on(const std::vector<std::string>& names, const s
 WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
                                 const io::MapFile& map, bool apply_head, double smooth_s) {
   WeightAnimation result;
-  std::vector<std::vector<DrivenControl>> controls;
+  std::vector<std::vector<Drive>> controls;
   const std::vector<std::size_t> head{column_of(track, "headpitch"), column_of(track, "headyaw"),
                                       column_of(track, "headroll")};
   const bool turns = std::any_of(head.begin(), head.end(), [&](std::size_t c) { return c < track.names.size(); });
+  std::vector<std::string> names;
+  for (const rig::Parameter& parameter : model.rig->parameters()) names.push_back(parameter.name);
   for (std::size_t i = 0; i < track.names.size(); ++i) {
-    const std::string name = renamed(map, track.names[i]);
-    controls.push_back(driven_controls(model, name));
+    Column column = column_named(model, map, track.names[i]);
     const bool is_head = std::find(head.begin(), head.end(), i) != head.end();
-    if (controls.back().empty() && !(is_head && apply_head) && !is_driven(model, name)) {
+    if (column.drives.empty() && !(is_head && apply_head) && !column.known) {
       result.unmatched.push_back(track.names[i]);
+      result.nearest.push_back(base::closest_name(track.names[i], names).value_or(""));
     }
-    result.drives = result.drives || !controls.back().empty() || (is_head && apply_head);
+    result.drives = result.drives || !column.drives.empty() || (is_head && apply_head);
+    controls.push_back(std::move(column.drives));
   }
   const rig::Pose rest = rig::rest_pose(*model.rig);
   // What no column drives stays as it is, such as a shape of the body that the file has at some weight.
   rig::Pose pose = rest;
   std::copy_n(model.pose.begin(), document::weight_count(model), pose.begin());
-  for (const std::vector<DrivenControl>& of_column : controls) {
-    for (const DrivenControl& one : of_column) pose[one.parameter] = rest[one.parameter];
+  for (const std::vector<Drive>& of_column : controls) {
+    for (const Drive& one : of_column) pose[one.to.parameter] = rest[one.to.parameter];
   }
   std::vector<std::vector<double>> angles;
   std::vector<double> now(3, 0.0);
@@ -85,11 +149,12 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
     // Of several columns that drive a control the one that moves it farther counts.
     if (frame.found) std::fill(driven.begin(), driven.end(), 0.0);
     for (std::size_t i = 0; frame.found && i < controls.size(); ++i) {
-      for (const DrivenControl& one : controls[i]) {
-        const std::size_t c = one.parameter;
+      for (const Drive& one : controls[i]) {
+        const std::size_t c = one.to.parameter;
         const rig::Parameter& range = model.rig->parameters()[c];
-        const double base = one.gain == 1 ? 0 : range.rest;
-        const double wanted = base + one.gain * frame.values[i];
+        const double base = one.to.gain == 1 ? 0 : range.rest;
+        const double value = one.response == nullptr ? frame.values[i] : responded(*one.response, frame.values[i]);
+        const double wanted = base + one.offset + one.to.gain * value;
         const bool first = driven[c] == 0;
         if (!first && !(std::abs(wanted - range.rest) > driven[c] - 1)) continue;
         driven[c] = 1 + std::abs(wanted - range.rest);

@@ -15,6 +15,7 @@ struct WeightAnimation {
   std::vector<std::size_t> held;
   bool drives = false;                          ///< any control, or the head
   std::vector<std::string> unmatched;           ///< names that the model has no control for
+  std::vector<std::string> nearest;             ///< a control's name for each of them; empty: none is near
   std::vector<std::string> notes;               ///< on values far outside their controls' ranges
   std::vector<document::Placement> placements;  ///< from HeadYaw, HeadPitch and HeadRoll, where asked for and there
 };

@@ -172,7 +172,7 @@ class Calls(unittest.TestCase):
         self.assertTrue(any('line 3' in note for note in made.notes), made.notes)
         self.assertNotEqual(made.character.state, state)
         self.assertEqual(character.state, state)
-        again = penpose.animate(character, take, '{"format": "arkit", "names": {"TongueOut": "lean"}}', fps=10)
+        again = penpose.animate(character, take, '{"format": "arkit", "names": {"TongueOut": "lean"}}', stretch=10)
         self.assertEqual((again.unmatched, again.poses[2, 1]), (0, 0.5))
         np.testing.assert_allclose(again.times, [0, 0.1, 0.2])
         refused = penpose.Status.REFUSED

@@ -36,6 +36,7 @@ tracking::AnimateOptions options_of(const penpose_animate_options& options) {
   out.smooth_s = options.smooth_s;
   out.least_confidence = options.least_confidence;
   out.fps = options.fps;
+  out.stretch = options.stretch;
   out.units = options.units != 0;
   if (options.curves != nullptr)
     out.curves = taken(io::read_landmarks(base::as_bytes(std::string_view(options.curves))));

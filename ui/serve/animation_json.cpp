@@ -38,6 +38,7 @@ Json animation_json(const tracking::Animated& animated, std::optional<double> so
   Json out = {{"frames", animated.poses.size()}, {"held", animated.held}, {"fps", animated.fps}};
   if (solve_us) out["solve_us"] = *solve_us;
   out["unmatched"] = animated.unmatched;
+  out["nearest"] = animated.nearest;
   out["blinks"] = animated.eyes.blinks;
   out["blink_dip"] = animated.eyes.full_dip;
   out["rest"] = animated.rest ? Json(animated.rest->frame) : Json();

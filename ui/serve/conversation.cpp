@@ -272,7 +272,7 @@ struct Conversation::Actions {
 
   Json animate() {
     request.allow({"do", "id", "track", "map", "curves", "head", "neutral", "tremor", "smooth", "confidence", "fps",
-                   "picture", "units"});
+                   "stretch", "picture", "units"});
     if (talk.files_.record)
       refuse("an animation is no command that a session can hold", "/do", "begin a conversation that is not recorded");
     const tracking::AnimateOptions options = animate_options();
@@ -316,6 +316,7 @@ struct Conversation::Actions {
     options.smooth_s = request.number_or("smooth", options.smooth_s);
     options.least_confidence = request.number_or("confidence", options.least_confidence);
     options.fps = request.number_or("fps", options.fps);
+    options.stretch = request.number_or("stretch", options.stretch);
     options.units = request.truth_or("units", false);
     if (request.has("curves"))
       options.curves = taken(io::read_landmarks(taken(talk.files_.read(request.text("curves")))));

@@ -117,13 +117,69 @@ MapProblem read_free(const json::Json& json, MapFile& out) {
   return std::nullopt;
 }
 
+constexpr std::array<std::string_view, 4> k_target_members = {"control", "gain", "offset", "response"};
+constexpr std::size_t k_most_targets = 100;
+constexpr std::size_t k_most_response = 1000;
+
+MapProblem read_number(const json::Json& json, const char* name, const std::string& place, double& out) {
+  const json::Json* number = json::find(json, name);
+  if (number == nullptr) return std::nullopt;
+  if (!number->is_number() || !std::isfinite(number->get<double>()))
+    return wrong_map("a number was expected", json::child(place, name));
+  out = number->get<double>();
+  return std::nullopt;
+}
+
+MapProblem read_response(const json::Json& json, const std::string& place, MapTarget& out) {
+  const json::Json* response = json::find(json, "response");
+  if (response == nullptr) return std::nullopt;
+  const std::string at = json::child(place, "response");
+  if (!response->is_array() || response->empty() || response->size() > k_most_response)
+    return wrong_map("a list of [value, share] was expected", at);
+  for (const json::Json& pair : *response) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number())
+      return wrong_map("a list of [value, share] was expected", at);
+    const auto one = std::pair(pair[0].get<double>(), pair[1].get<double>());
+    if (!out.response.empty() && !(one.first > out.response.back().first))
+      return wrong_map("values do not ascend", at, "list them from the least on, each once");
+    out.response.push_back(one);
+  }
+  return std::nullopt;
+}
+
+/// "NAME" or {"control": "NAME", "gain": 0.35, ...}.
+MapProblem read_target(const json::Json& json, const std::string& place, MapTarget& out,
+                       std::vector<std::string>& skipped) {
+  if (json.is_string()) {
+    out.control = json.get<std::string>();
+    return std::nullopt;
+  }
+  const json::Json* control = json.is_object() ? json::find(json, "control") : nullptr;
+  if (control == nullptr || !control->is_string())
+    return wrong_map("a name was expected", place, R"(write "NAME", or {"control": "NAME", "gain": 1})");
+  out.control = control->get<std::string>();
+  json::list_unknown(json, place, k_target_members, skipped);
+  if (auto problem = read_number(json, "gain", place, out.gain)) return problem;
+  if (auto problem = read_number(json, "offset", place, out.offset)) return problem;
+  return read_response(json, place, out);
+}
+
 MapProblem read_names(const json::Json& json, MapFile& out) {
   const json::Json* names = json::find(json, "names");
   if (names == nullptr) return std::nullopt;
   if (!names->is_object()) return wrong_map("an object of names was expected", "/names");
-  for (const auto& [tracked, control] : names->items()) {
-    if (!control.is_string()) return wrong_map("a name was expected", json::child("/names", tracked));
-    out.names.emplace_back(tracked, control.get<std::string>());
+  for (const auto& [tracked, targets] : names->items()) {
+    const std::string place = json::child("/names", tracked);
+    auto& read = out.names.emplace_back(tracked, std::vector<MapTarget>()).second;
+    if (!targets.is_array()) {
+      if (auto problem = read_target(targets, place, read.emplace_back(), out.skipped)) return problem;
+      continue;
+    }
+    if (targets.size() > k_most_targets) return wrong_map("a column drives at most 100 controls", place);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (auto problem = read_target(targets[i], json::child(place, i), read.emplace_back(), out.skipped))
+        return problem;
+    }
   }
   return std::nullopt;
 }

@@ -27,6 +27,15 @@ struct MapCurve {
   double gain = 1;      ///< the model's curve moves this many times as far as the tracked one
 };
 
+/// A control that a column of values drives: offset + gain * response(value).
+struct MapTarget {
+  std::string control;  ///< by name
+  double gain = 1;
+  double offset = 0;
+  std::vector<std::pair<double, double>>
+      response;  ///< (value, share), values ascending, straight between; empty: as is
+};
+
 /// Which tracked curve drives which curve of a model (cli.md, "Map files").
 struct MapFile {
   const TrackFormat* format = nullptr;  ///< one of track_formats()
@@ -35,16 +44,17 @@ struct MapFile {
   MapPoints turning;              ///< see animation::StablePoints
   bool apply_head = false;        ///< the head's turn becomes part of the animation
   std::vector<std::string> free;  ///< controls that may move; those that the model lacks are passed over; empty: all
-  /// For "arkit": names of the track and of the model's controls where they differ.
-  std::vector<std::pair<std::string, std::string>> names;
+  /// For tracks of values: what a column drives, where that is not the control of its name.
+  std::vector<std::pair<std::string, std::vector<MapTarget>>> names;
   std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
   bool bundled = false;              ///< it came with the program, and may name more than a model or a track has
 };
 
 /// Reads {"format", "curves": [{"track", "reference", "anchor", "meets", "touches", "weight", "gain"}], "stable",
-/// "turning", "head": "drop" | "apply", "free", "names": {TRACKED: CONTROL}}. "curves" is needed but for "arkit"; all
-/// else is optional. Errors (place: JSON pointer): a member that is missing, unknown in value or of another type,
-/// curves of one point, weights not above 0.
+/// "turning", "head": "drop" | "apply", "free", "names": {TRACKED: CONTROL, TRACKED: {"control", "gain", "offset",
+/// "response": [[VALUE, SHARE], ...]}, TRACKED: [several of these]}}. "curves" is needed but for "arkit"; all else is
+/// optional. Errors (place: JSON pointer): a member that is missing, unknown in value or of another type, curves of one
+/// point, weights not above 0.
 [[nodiscard]] base::Result<MapFile> read_map_file(base::Bytes bytes);
 
 /// The map that the program brings for a format (bundled_map). Errors: it brings none.

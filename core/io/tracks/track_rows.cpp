@@ -113,7 +113,7 @@ std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const doub
     if (increasing.known > 0 && !says_nothing(times)) {
       std::string why = increasing.out_of_order > 0 ? "the times do not grow" : "most times are missing";
       if (leap) why = "the time leaps by far in " + text_of(rows[*leap], name);
-      rate_note = why + ": " + base::format_fixed(rate, 2) + " frames a second are taken; --fps sets another rate";
+      rate_note = why + ": " + base::format_fixed(rate, 2) + " frames a second are taken; --stretch sets another rate";
     }
     std::vector<double> even;
     for (const double place : places) even.push_back(place / rate);

@@ -1,5 +1,6 @@
 #include "core/tracking/animate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -58,14 +59,78 @@ TEST_F(Animate, TurnsTheHeadWhereAsked) {
             animate()->document.model->animations[0].channels.size());
 }
 
-TEST_F(Animate, TakesAFrameRateInsteadOfTheTracksTimes) {
+TEST_F(Animate, StretchedItsFramesFollowEachOtherAtTheRateThatIsAskedFor) {
   AnimateOptions options;
-  options.fps = 10;
+  options.stretch = 10;
   const auto animated = animate(options);
   ASSERT_TRUE(animated) << animated.error().line();
   EXPECT_TRUE(animated->whole_frames);
   EXPECT_DOUBLE_EQ(animated->fps, 10);
   EXPECT_DOUBLE_EQ(animated->times_s[1], 0.1);
+}
+
+TEST_F(Animate, AtAnotherRateTheTakeKeepsItsLength) {
+  const std::string_view take =
+      "Timecode,BlendShapeCount,Lift\n00:00:00:00.000,1,0\n00:00:00:30.000,1,0.5\n00:00:01:00.000,1,1\n";
+  const auto own = animate({}, take);
+  ASSERT_TRUE(own) << own.error().line();
+  AnimateOptions options;
+  options.fps = 10 / own->times_s.back();
+  const auto animated = animate(options, take);
+  ASSERT_TRUE(animated) << animated.error().line();
+  ASSERT_EQ(animated->times_s.size(), 11U);
+  EXPECT_NEAR(animated->times_s.back(), own->times_s.back(), 1e-9);
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(animated->poses[k][0], 0.1 * static_cast<double>(k), 1e-9) << k;
+}
+
+TEST_F(Animate, TheValuesOfTheNeutralFrameAreRest) {
+  AnimateOptions options;
+  options.neutral = 0;
+  const auto animated = animate(options);
+  ASSERT_TRUE(animated) << animated.error().line();
+  EXPECT_DOUBLE_EQ(animated->poses[0][0], 0);
+  EXPECT_DOUBLE_EQ(animated->poses[1][0], 0.25);
+  options.neutral = 2;
+  EXPECT_EQ(animate(options).error().place, "neutral");
+}
+
+TEST_F(Animate, SaysWhichOptionsDoNothingForValues) {
+  AnimateOptions options;
+  options.tremor_px = 2;
+  options.least_confidence = 0.5;
+  options.units = true;
+  const auto animated = animate(options);
+  ASSERT_TRUE(animated) << animated.error().line();
+  for (const char* option : {"--tremor", "--confidence", "--units"}) {
+    EXPECT_TRUE(std::any_of(animated->notes.begin(), animated->notes.end(), [&](const std::string& note) {
+      return note.starts_with(std::string(option) + " has no effect");
+    })) << option;
+  }
+}
+
+TEST_F(Animate, AMapGivesAColumnGainOffsetResponseAndSeveralControls) {
+  const std::string_view text = R"({"format": "arkit", "names": {"TongueOut": [
+      {"control": "lift", "gain": 0.5, "offset": 0.1}, {"control": "lean", "response": [[0, 0], [0.5, 0.8], [1, 1]]}]}})";
+  auto map = io::read_map_file(base::as_bytes(text));
+  ASSERT_TRUE(map) << map.error().line();
+  auto read = io::read_track(base::as_bytes(std::string_view("Timecode,BlendShapeCount,TongueOut\n0:0:0:0,1,0.25\n"
+                                                             "0:0:0:1,1,0.75\n")),
+                             nullptr, {})
+                  .value();
+  const auto animated = tracking::animate(document, std::move(read.track), *map);
+  ASSERT_TRUE(animated) << animated.error().line();
+  EXPECT_NEAR(animated->poses[0][0], 0.225, 1e-12);
+  EXPECT_NEAR(animated->poses[1][0], 0.475, 1e-12);
+  const std::size_t lean = rig::find_parameter(document.model->rig->parameters(), "lean").value();
+  EXPECT_NEAR(animated->poses[0][lean], 0.4, 1e-12);
+  EXPECT_NEAR(animated->poses[1][lean], 0.9, 1e-12);
+}
+
+TEST_F(Animate, NamesWithoutAControlComeWithTheNearestOne) {
+  const auto animated = animate({}, "Timecode,BlendShapeCount,Lift,Leam\n0:0:0:0,2,0.25,1\n0:0:0:1,2,0.5,1\n");
+  ASSERT_TRUE(animated) << animated.error().line();
+  EXPECT_EQ(animated->unmatched, std::vector<std::string>{"Leam"});
+  EXPECT_EQ(animated->nearest, std::vector<std::string>{"lean"});
 }
 
 TEST_F(Animate, SaysWhatIsWrongAndWhichInputIsToBlame) {

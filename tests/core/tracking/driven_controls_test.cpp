@@ -2,20 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/surface/read_obj.h"
-#include "core/io/surface/shape_list.h"
+#include "tests/support/models/square_with_shapes.h"
 
 namespace penpose::tracking {
 namespace {
 
-document::Model square_with_shapes(const std::vector<std::string>& names) {
-  const auto square = [](const char* text) { return io::read_obj(base::as_bytes(text)).value(); };
-  std::vector<io::ShownShape> shapes;
-  for (const std::string& name : names) {
-    shapes.push_back({name, square("v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4\n")});
-  }
-  return io::with_shapes(square("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"), shapes).value();
-}
+using tests::square_with_shapes;
 
 std::vector<std::size_t> controls(const document::Model& model, std::string_view name) {
   std::vector<std::size_t> found;
@@ -66,6 +58,35 @@ TEST(DrivenControls, AnExpressionDrivesWhatItIsMadeOf) {
   const auto driven = driven_controls(model, "blink");
   ASSERT_EQ(driven.size(), 2U);
   EXPECT_EQ(driven[1].gain, 0.25);
+}
+
+TEST(DrivenControls, AModelWithTheExpressionsOfVrmTakesArkitsColumnsInPart) {
+  auto model = square_with_shapes({"s0", "s1", "s2", "s3"});
+  model.expressions = {{"aa", {{0, 1}}}, {"blinkLeft", {{1, 1}}}, {"blinkRight", {{2, 1}}}, {"happy", {{3, 1}}}};
+  EXPECT_EQ(controls(model, "JawOpen"), (Numbers{0}));
+  EXPECT_EQ(controls(model, "EyeBlinkLeft"), (Numbers{1}));
+  EXPECT_EQ(controls(model, "EyeBlinkRight"), (Numbers{2}));
+  EXPECT_EQ(controls(model, "MouthSmileLeft"), (Numbers{3}));
+  EXPECT_EQ(controls(model, "MouthSmileRight"), (Numbers{3}));
+  EXPECT_TRUE(controls(model, "MouthPucker").empty());
+}
+
+TEST(DrivenControls, MikuMikuDancesMorphsAreTargetsAndSources) {
+  const auto morphs = square_with_shapes({"まばたき", "あ", "にやり", "ウィンク２", "ｳｨﾝｸ２右"});
+  EXPECT_EQ(controls(morphs, "jawOpen"), (Numbers{1}));
+  EXPECT_EQ(controls(morphs, "eyeBlinkLeft"), (Numbers{3}));
+  EXPECT_EQ(controls(morphs, "eyeBlinkRight"), (Numbers{4}));
+  EXPECT_EQ(controls(morphs, "AU45"), (Numbers{0}));
+  EXPECT_EQ(controls(morphs, "mouthSmileLeft"), (Numbers{2}));
+  const auto arkit = square_with_shapes({"mouthSmileLeft", "mouthSmileRight", "cheekSquintLeft"});
+  EXPECT_EQ(controls(arkit, "happy"), (Numbers{0, 1, 2}));
+  EXPECT_EQ(controls(arkit, "にやり"), (Numbers{0, 1}));
+}
+
+TEST(DrivenControls, AHalfOfAnUpperAndALowerShapeGoesToTheWholeOnItsSide) {
+  const auto arkit = square_with_shapes({"mouthPressLeft", "mouthPressRight", "mouthFunnel"});
+  EXPECT_EQ(controls(arkit, "MouthTightenerLeft"), (Numbers{0}));
+  EXPECT_EQ(controls(arkit, "LipFunnelUpperLeft"), (Numbers{2}));
 }
 
 }  // namespace

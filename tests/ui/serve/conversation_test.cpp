@@ -224,7 +224,7 @@ TEST(Serve, ATrackBecomesAnAnimation) {
   EXPECT_NE(talk.state(), before);
   talk.does(R"({"do":"save","path":"out.glb"})");
   EXPECT_EQ(character::Character::read(talk.saved)->document().model->animations.size(), 1U);
-  EXPECT_EQ(talk.does(R"({"do":"animate","track":"take.csv","map":"map.json","fps":10})")["times"], Json({0, 0.1}));
+  EXPECT_EQ(talk.does(R"({"do":"animate","track":"take.csv","map":"map.json","stretch":10})")["times"], Json({0, 0.1}));
   EXPECT_EQ(talk.character()->document().model->animations.size(), 2U);
   const std::string after = talk.state();
   for (const char* line :

@@ -37,6 +37,7 @@ struct AnimateArguments {
   double smooth_s = 0;
   double least_confidence = 0.2;
   double fps = 0;
+  double stretch = 0;
   std::string picture;
   bool units = false;
   bool json = false;
@@ -124,6 +125,7 @@ tracking::AnimateOptions options_of(const AnimateArguments& arguments, std::vect
   options.smooth_s = arguments.smooth_s;
   options.least_confidence = arguments.least_confidence;
   options.fps = arguments.fps;
+  options.stretch = arguments.stretch;
   options.units = arguments.units;
   options.curves = std::move(curves);
   return options;
@@ -148,7 +150,12 @@ void print(const tracking::Animated& animated, double solve_us) {
     std::cout << animated.eyes.blinks.size() << " blinks, in which the points close by "
               << base::format_fixed(100 * animated.eyes.full_dip, 0) << " % of the usual opening\n";
   }
-  for (const std::string& name : animated.unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
+  for (std::size_t i = 0; i < animated.unmatched.size(); ++i) {
+    std::cout << "no control for " << base::shown_name(animated.unmatched[i]);
+    const std::string nearest = i < animated.nearest.size() ? animated.nearest[i] : std::string();
+    if (!nearest.empty()) std::cout << "; the nearest is " << base::shown_name(nearest);
+    std::cout << '\n';
+  }
 }
 
 /// A file may hold the scores of blend shapes and the points of a face: the points, where it has them and the model has
@@ -239,8 +246,10 @@ void add_options(const Command& command, AnimateArguments& arguments) {
   command.add_option("--head", arguments.head, "Turn of the head: drop it or apply it (default: as the map says)")
       .one_of({"drop", "apply"});
   command
-      .add_option("--neutral", arguments.neutral,
-                  "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
+      .add_option(
+          "--neutral", arguments.neutral,
+          "Frame, from 0, in which the face is at rest; its values are subtracted (default: of points, chosen from the "
+          "clip)")
       .check(number_range(0, 1e6), "0 to 1000000");
   command
       .add_option("--tremor", arguments.tremor_px,
@@ -252,7 +261,11 @@ void add_options(const Command& command, AnimateArguments& arguments) {
   command.add_option("--confidence", arguments.least_confidence, "Hold frames of less confidence, 0 to 1")
       .check(number_range(0.0, 1.0), "0 to 1")
       .show_default();
-  command.add_option("--fps", arguments.fps, "Frames a second, instead of the track's own times")
+  command.add_option("--fps", arguments.fps, "Keys at so many even frames a second; the take keeps its length")
+      .check(number_range(0.1, 10000.0), "0.1 to 10000");
+  command
+      .add_option("--stretch", arguments.stretch,
+                  "Frames follow each other at this rate, whatever the track says of its times; the length changes")
       .check(number_range(0.1, 10000.0), "0.1 to 10000");
   command.add_option("--picture", arguments.picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       .check(check_picture, "WxH");

@@ -88,7 +88,7 @@ class CPlayback(ctypes.Structure):
 
 class CAnimateOptions(ctypes.Structure):
     _fields_ = [('head', c_int32), ('units', c_int32), ('neutral', c_int64), ('tremor_px', c_double), ('smooth_s', c_double),
-                ('least_confidence', c_double), ('fps', c_double), ('picture', c_double * 2), ('curves', c_char_p)]
+                ('least_confidence', c_double), ('fps', c_double), ('stretch', c_double), ('picture', c_double * 2), ('curves', c_char_p)]
 
 
 class CAnimated(ctypes.Structure):

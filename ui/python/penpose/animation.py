@@ -35,17 +35,17 @@ class Animation(_c.Handle):
 
 def animate(character: Character, track: bytes, map: Union[str, None] = None, *, head: Optional[str] = None, units: bool = False,
             neutral: Optional[int] = None, tremor_px: Optional[float] = None, smooth_s: float = 0, least_confidence: float = 0.2,
-            fps: float = 0, picture: Optional[Tuple[float, float]] = None, curves: Optional[str] = None) -> Animation:
+            fps: float = 0, stretch: float = 0, picture: Optional[Tuple[float, float]] = None, curves: Optional[str] = None) -> Animation:
     """Keyframes from what a face tracker saw; the character stays as it is. `map`: the text of a map file, or openface, mediapipe, ibug68,
     curves or arkit (default: by the track). `head`: 'drop' or 'apply' its turn (default: as the map says). `neutral`: the frame at rest.
-    `fps`: instead of the track's own times. `picture`: width and height in px, for normalised coordinates. `curves`: JSON of more curves
+    `fps`: keys at that rate; the take keeps its length. `stretch`: frames follow each other at that rate. `picture`: width and height in px, for normalised coordinates. `curves`: JSON of more curves
     that the map may name. penpose_animate_options has the ranges."""
     if head not in _HEADS:
         raise ValueError("head is None, 'drop' or 'apply'")
     if neutral is not None and neutral < 0:
         raise ValueError('frames count from 0')
     options = _c.CAnimateOptions(_HEADS[head], int(units), -1 if neutral is None else neutral, -1 if tremor_px is None else tremor_px,
-                                 smooth_s, least_confidence, fps, (0, 0) if picture is None else tuple(picture),
+                                 smooth_s, least_confidence, fps, stretch, (0, 0) if picture is None else tuple(picture),
                                  None if curves is None else text(curves))
     handle, told = c_uint64(), _c.CAnimated()
     character._call(C.penpose_animate, track, len(track), None if map is None else text(map), byref(options), byref(handle), byref(told))

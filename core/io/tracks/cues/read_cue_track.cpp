@@ -85,7 +85,7 @@ base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes) {
   auto track = make_track(*cues);
   if (track && cues->counts_frames) {
     track->rate_note =
-        "the file counts frames and does not say how many make a second: 24 are taken; --fps sets another rate";
+        "the file counts frames and does not say how many make a second: 24 are taken; --stretch sets another rate";
   }
   return track;
 }

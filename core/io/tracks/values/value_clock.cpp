@@ -13,7 +13,7 @@ namespace {
 constexpr double k_day_s = 86400;
 
 std::string taken(double fps) {
-  return base::format_fixed(fps, 2) + " frames a second are taken; --fps sets another rate";
+  return base::format_fixed(fps, 2) + " frames a second are taken; --stretch sets another rate";
 }
 
 /// Numbers of frames of rows whose times are a multiple of the usual step apart: what a take leaves out counts as well.

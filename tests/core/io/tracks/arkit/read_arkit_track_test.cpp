@@ -44,7 +44,7 @@ TEST(ReadArkit, SaysWhichRateItTookWhereTheTimecodesDoNotTell) {
   const auto track = read_arkit_track(bytes(take)).value();
   EXPECT_NEAR(track.frames[9].time_s, 9 / 60.0, 1e-9);
   EXPECT_NE(track.rate_note.find("60.00 frames a second"), std::string::npos) << track.rate_note;
-  EXPECT_NE(track.rate_note.find("--fps"), std::string::npos);
+  EXPECT_NE(track.rate_note.find("--stretch"), std::string::npos);
   const auto bare = read_arkit_track(bytes("Timecode,JawOpen\nx,0\ny,1\n")).value();
   EXPECT_NEAR(bare.frames[1].time_s, 1 / 60.0, 1e-9);
   EXPECT_NE(bare.rate_note.find("no timecode"), std::string::npos);
