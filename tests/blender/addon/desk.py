@@ -9,7 +9,8 @@ import zipfile
 
 import numpy
 
-numpy.bool = bool  # Debian's importer is older than its numpy
+if not hasattr(numpy, 'bool'):
+    numpy.bool = bool  # Debian's importer is older than its numpy
 import addon_utils  # noqa: E402
 import bpy  # noqa: E402
 from mathutils import Matrix, Vector  # noqa: E402
@@ -73,6 +74,33 @@ def seen(obj, yaw=0.0, size=1000, addon=sys.modules.get('penpose_blender')):
     near, far = 0.1 * distance, 10 * distance
     window = Matrix(((f, 0, 0, 0), (0, f, 0, 0), (0, 0, (far + near) / (near - far), 2 * far * near / (near - far)), (0, 0, -1, 0)))
     return space.seen_by(camera.inverted(), window, size, size, space.Space(obj.matrix_world), middle)
+
+
+def pencil(layers):
+    """An object of Grease Pencil, moved and scaled, with layers [(name, {frame: lines (n, 3) in the world})]; the last is active."""
+    new = hasattr(bpy.types, 'GreasePencilDrawing')  # since 4.3
+    data = getattr(bpy.data, 'grease_pencils_v3', bpy.data.grease_pencils).new('Pencil')
+    obj = bpy.data.objects.new('Pencil', data)
+    obj.location, obj.scale = (0.5, 0, 0.1), (2, 2, 2)
+    bpy.context.scene.collection.objects.link(obj)
+    bpy.context.view_layer.update()
+    back = numpy.array(obj.matrix_world.inverted())
+    for name, frames in layers:
+        layer = data.layers.new(name)
+        for number, lines in frames.items():
+            frame = layer.frames.new(number)
+            for line in lines:
+                places = (numpy.asarray(line) @ back[:3, :3].T + back[:3, 3]).astype(numpy.float32)
+                if new:
+                    frame.drawing.add_strokes([len(places)])
+                    for point, place in zip(frame.drawing.strokes[-1].points, places):
+                        point.position = place
+                else:
+                    stroke = frame.strokes.new()
+                    stroke.points.add(len(places))
+                    stroke.points.foreach_set('co', places.ravel())
+        data.layers.active = layer
+    return obj
 
 
 def region_places(shown, points):

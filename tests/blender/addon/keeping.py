@@ -12,7 +12,7 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Quaternion  # noqa: E402
-from penpose_blender import drawing, grease, keys, recording, store  # noqa: E402
+from penpose_blender import drawing, grease, keys, recording, store, versions  # noqa: E402
 from penpose_blender.controls import Refused  # noqa: E402
 from penpose_blender.library import Character, play  # noqa: E402
 
@@ -148,8 +148,7 @@ class Keeping(unittest.TestCase):
         self.assertTrue(np.array_equal(desk.shown_positions(self.obj), shown))
 
     def curves_of(self, block):
-        action = block.animation_data.action if block.animation_data else None
-        return {(c.data_path, c.array_index): [tuple(p.co) for p in c.keyframe_points] for c in action.fcurves} if action else {}
+        return {(c.data_path, c.array_index): [tuple(p.co) for p in c.keyframe_points] for c in versions.curves_of(block)}
 
     def test_no_keys_unless_wanted(self):
         self.draw()
@@ -193,7 +192,7 @@ class Keeping(unittest.TestCase):
         self.assertTrue(names)
         found = self.curves_of(self.armature)
         self.assertEqual(set(found), {('pose.bones["%s"].rotation_quaternion' % n, i) for n in names for i in range(4)})
-        self.assertEqual({g.name for g in self.armature.animation_data.action.groups}, names)
+        self.assertEqual({c.group.name for c in versions.curves_of(self.armature)}, names)
         for (path, index), points in found.items():
             bone = self.armature.path_resolve(path.rpartition('.')[0])
             self.assertEqual(points, [(5.0, bone.rotation_quaternion[index])])
@@ -241,21 +240,7 @@ class Keeping(unittest.TestCase):
 
     def pencil(self, layers):
         """An object of Grease Pencil with layers [(name, strokes of points in the world)]; the last is active."""
-        data = bpy.data.grease_pencils.new('Pencil')
-        obj = bpy.data.objects.new('Pencil', data)
-        bpy.context.scene.collection.objects.link(obj)
-        obj.location, obj.scale = (0.5, 0, 0.1), (2, 2, 2)
-        bpy.context.view_layer.update()
-        back = obj.matrix_world.inverted()
-        for name, strokes in layers:
-            layer = data.layers.new(name)
-            frame = layer.frames.new(1)
-            for points in strokes:
-                stroke = frame.strokes.new()
-                stroke.points.add(len(points))
-                for point, place in zip(stroke.points, points):
-                    point.co = back @ place
-            data.layers.active = layer
+        obj = desk.pencil([(name, {1: strokes}) for name, strokes in layers])
         bpy.context.scene.frame_set(1)
         return obj
 

@@ -50,6 +50,7 @@ def add_key(obj, name, way, least=0.0, most=1.0, middle=(0.0, 0.0), width=0.5, *
         from_middle = ((vertex.co.x - middle[0]) ** 2 + (vertex.co.z - middle[1]) ** 2) / width ** 2
         point.co = vertex.co + Vector(way) * float(np.exp(-from_middle))
     key.slider_min, key.slider_max = least, most
+    key.value = 0  # 5.x makes keys that act
     for setting, value in settings.items():
         setattr(key, setting, value)
     return key

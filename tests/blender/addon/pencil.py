@@ -36,25 +36,6 @@ class Drawn(unittest.TestCase):
         self.obj = desk.opened(path)
         self.shown, self.scene = desk.seen(self.obj), bpy.context.scene
 
-    def pencil(self, layers):
-        """Grease Pencil with layers [(name, {frame: lines})]; the last is active."""
-        data = bpy.data.grease_pencils.new('Pencil')
-        obj = bpy.data.objects.new('Pencil', data)
-        obj.location, obj.scale = (0.5, 0, 0.1), (2, 2, 2)
-        self.scene.collection.objects.link(obj)
-        bpy.context.view_layer.update()
-        back = np.array(obj.matrix_world.inverted())
-        for name, frames in layers:
-            layer = data.layers.new(name)
-            for number, lines in frames.items():
-                frame = layer.frames.new(number)
-                for line in lines:
-                    stroke = frame.strokes.new()
-                    stroke.points.add(len(line))
-                    stroke.points.foreach_set('co', (line @ back[:3, :3].T + back[:3, 3]).astype(np.float32).ravel())
-            data.layers.active = layer
-        return obj
-
     def film(self, pencil):
         one = pencil_film.Film(self.obj, pencil, self.shown)
         while one.step():
@@ -91,7 +72,7 @@ class Faces(Drawn):
             self.assertAlmostEqual(found.get(name, 0), pose.get(name, 0), delta=NEAR, msg=name)
 
     def test_a_pencil_test_becomes_an_animation(self):
-        pencil = self.pencil([('Face', {frame: self.lines(pose) for frame, pose in POSES.items()})])
+        pencil = desk.pencil([('Face', {frame: self.lines(pose) for frame, pose in POSES.items()})])
         begin = time.perf_counter()
         film = self.film(pencil)
         self.assertEqual(film.left, [])
@@ -114,7 +95,7 @@ class Faces(Drawn):
     def test_all_layers_are_one_drawing(self):
         lines, rest = self.lines(POSES[3]), self.lines({})
         brows, mouth = lines[:2], lines[2:]
-        pencil = self.pencil([('Brows', {1: brows}), ('Mouth target', {1: rest}), ('Neutral', {1: rest}), ('Mouth', {1: rest[2:], 3: mouth})])
+        pencil = desk.pencil([('Brows', {1: brows}), ('Mouth target', {1: rest}), ('Neutral', {1: rest}), ('Mouth', {1: rest[2:], 3: mouth})])
         found = grease.drawings_of(pencil)
         self.assertEqual({frame: (len(a), len(b)) for frame, (a, b) in found.items()}, {1: (len(rest), len(rest)), 3: (len(lines), len(rest))})
         pose, unknown = pencil_film.read(drawing.known(self.obj).rig, *found[3], self.shown.view)
@@ -136,11 +117,11 @@ class Sheets(Drawn):
         return [np.column_stack([x, np.full(9, -0.4), z + high * x * x]) for z in (0.1, 0.05, 0)]
 
     def test_a_blank_frame_has_no_key(self):
-        pencil = self.pencil([('Face', {1: self.lines(), 5: [], 9: self.lines(4)})])
+        pencil = desk.pencil([('Face', {1: self.lines(), 5: [], 9: self.lines(4)})])
         self.assertEqual(list(grease.drawings_of(pencil)), [1, 9])
 
     def test_moved_layers(self):
-        pencil = self.pencil([('Face', {1: self.lines()})])
+        pencil = desk.pencil([('Face', {1: self.lines()})])
         before = grease.drawings_of(pencil)[1][0][0]
         pencil.data.layers[0].location = (0, 0, 0.25)
         bpy.context.view_layer.update()
@@ -149,8 +130,8 @@ class Sheets(Drawn):
 
     def test_told(self):
         with self.assertRaisesRegex(Refused, '^Pencil has no drawing; draw the face with Grease Pencil'):
-            self.film(self.pencil([('Face', {})]))
-        pencil = self.pencil([('Face', {9: self.lines()})])
+            self.film(desk.pencil([('Face', {})]))
+        pencil = desk.pencil([('Face', {9: self.lines()})])
         with self.assertRaisesRegex(Refused, 'has no drawing on this frame'):
             grease.shown_on_frame(pencil, 3)
 
@@ -159,7 +140,7 @@ class Sheets(Drawn):
         self.obj = bpy.context.object
         self.obj.shape_key_add(name='Basis')
         self.obj.shape_key_add(name='up').data[0].co.z += 1
-        film = self.film(self.pencil([('Face', {2: self.lines()})]))
+        film = self.film(desk.pencil([('Face', {2: self.lines()})]))
         self.assertEqual(len(film.left), 1)
         self.assertRegex(film.left[0], '^frame 2 is left out: ')
         self.assertEqual(film.key(self.scene), [])

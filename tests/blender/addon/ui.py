@@ -13,7 +13,7 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Euler  # noqa: E402
-from penpose_blender import curves, drawing, free_keys, lines, mirror, pen, preferences  # noqa: E402
+from penpose_blender import curves, drawing, free_keys, lines, mirror, pen, preferences, versions  # noqa: E402
 from penpose_blender.controls import Refused  # noqa: E402
 
 
@@ -73,8 +73,7 @@ class Sides(unittest.TestCase):
         self.keys[0].value = 0.5
         bpy.context.scene.tool_settings.use_keyframe_insert_auto = True
         bpy.ops.penpose.flip()
-        action = self.obj.data.shape_keys.animation_data.action
-        self.assertEqual({c.data_path for c in action.fcurves}, {'key_blocks["up_L"].value', 'key_blocks["up_R"].value'})
+        self.assertEqual({c.data_path for c in versions.curves_of(self.obj.data.shape_keys)}, {'key_blocks["up_L"].value', 'key_blocks["up_R"].value'})
 
     def test_selected_only(self):
         state = bpy.context.window_manager.penpose

@@ -3,8 +3,9 @@ from typing import NamedTuple
 
 import bpy
 
+from . import versions
+
 NEEDED, VISUAL, COLORS = 'INSERTKEY_NEEDED', 'INSERTKEY_VISUAL', 'INSERTKEY_XYZ_TO_RGB'
-_SWITCHES = ((NEEDED, 'needed'), (VISUAL, 'visual'), (COLORS, 'xyz_to_rgb'))
 
 
 class Channel(NamedTuple):
@@ -27,13 +28,8 @@ def channel(block, path, index=-1, group=''):
 
 def rules_of(holder, options):
     """The rules where a keying set or one of its paths has its own."""
-    out = set(options)
-    for option, name in _SWITCHES:
-        if getattr(holder, 'use_insertkey_override_' + name):
-            out.discard(option)
-            if getattr(holder, 'use_insertkey_' + name):
-                out.add(option)
-    return frozenset(out)
+    own = versions.own_rules(holder)
+    return frozenset({*(o for o in options if o not in own), *(o for o, on in own.items() if on)})
 
 
 class _Collector:

@@ -97,6 +97,13 @@ def only_needed(auto):
     return getattr(edit, 'use_auto_keyframe_insert_needed', edit.use_keyframe_insert_needed) if auto else edit.use_keyframe_insert_needed
 
 
+def own_rules(holder):
+    """The rules of keyframes that a keying set or one of its paths has of its own: {option: whether it is on}. 4.1 took the colours out."""
+    names = (('INSERTKEY_NEEDED', 'needed'), ('INSERTKEY_VISUAL', 'visual'), ('INSERTKEY_XYZ_TO_RGB', 'xyz_to_rgb'))
+    return {option: getattr(holder, 'use_insertkey_' + name) for option, name in names
+            if getattr(holder, 'use_insertkey_override_' + name, False)}
+
+
 def key_options(options):
     """Options of keyframe_insert. From 4.1 on the colours of new curves are those of the preferences, whoever inserts."""
     return set(options) - ({'INSERTKEY_XYZ_TO_RGB'} if VERSION >= (4, 1, 0) else set())
