@@ -246,11 +246,11 @@ class BoneAngle:
 class Channel:
     """One number of a location, a scale or (of an object) a rotation as a control of its own, near where it is.
 
-    `reach`: how far it may go to either side where no limit says so; measured, for what a unit does is the rig's affair."""
+    `reach`: how far it may go to either side where no limit says so; measured, for what a unit does is the rig's affair. Scales go to half
+    and to double."""
 
     LIMITS = {'location': 'LIMIT_LOCATION', 'scale': 'LIMIT_SCALE', 'rotation_euler': 'LIMIT_ROTATION'}
     LETTERS = {'location': '', 'scale': 's', 'rotation_euler': 'r'}
-    LEAST_SCALE = 0.05
 
     def __init__(self, owner, path, axis, step, armature=None):
         self.of_bone = _OfBone(armature, owner) if armature is not None else None
@@ -283,7 +283,7 @@ class Channel:
 
     def range(self):
         least, most = self.limit()
-        far = (max(self.LEAST_SCALE, self.now - self.reach) if self.path == 'scale' else self.now - self.reach, self.now + self.reach)
+        far = sorted((0.5 * self.now, 2 * self.now)) if self.path == 'scale' else (self.now - self.reach, self.now + self.reach)
         least, most = far[0] if least is None else least, far[1] if most is None else most
         return min(least, self.now), max(most, self.now)
 

@@ -20,6 +20,11 @@ class Candidate:
         self.mask = None
 
     @property
+    def owner(self):
+        """What tells its bone or object."""
+        return self.starts[0][1:-2]
+
+    @property
     def late(self):
         """Scales are tried last."""
         return getattr(self.control, 'path', '') == 'scale'

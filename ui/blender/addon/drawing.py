@@ -14,6 +14,7 @@ from .limits import character_of, chosen, make_override, overridable  # noqa: F4
 from .rig import give_back
 
 ROUNDS = 6  # after each a measured rig is measured again where it moved, and what locks and limits left is taken
+READINGS = 2  # of one drawing
 
 
 class Stroke:
@@ -31,7 +32,8 @@ class Stroke:
         self.keyed = 0  # channels
         if kind == 'target':
             self.curve = self._curve(obj, of)
-            self.rig.limit(chosen(obj))
+            self.chosen = chosen(obj)
+            self.more = self.rig.limit(self.chosen)
             self.live = self.rig.character.live(self.known.numbers[self.curve], seen.view)
 
     def _curve(self, obj, of):
@@ -63,9 +65,19 @@ class Stroke:
         if self.live is None or len(self.px) < 2:
             return None
         pose = self.live.follow(np.array(self.px)).copy()
+        if self.more and len(self.px) > 2 and self.followed is not None and np.array_equal(pose, self.followed) and self._is_far():
+            # What is near cannot follow: what carries it may.
+            self.more = self.rig.limit(self.chosen, True)
+            self.live = self.rig.character.live(self.known.numbers[self.curve], self.seen.view)
+            pose = self.live.follow(np.array(self.px)).copy()
         self.rig.apply(pose, self.followed)
         self.followed = pose
         return pose
+
+    def _is_far(self):
+        """Whether the line is as long as half of its reference."""
+        here = self.seen.view.project(self.rig.character.positions(self.known.numbers[self.curve]))
+        return _length(np.array(self.px)) > 0.5 * _length(here)
 
     def places(self):
         """The line so far, px of the region."""
@@ -120,21 +132,45 @@ class Stroke:
         settle(obj, self.known, solve)
 
 
+def _length(line):
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+
+
 def settle(obj, one, solve):
-    """Solves for the character, shows it in Blender, and again from there where Blender answers otherwise: what is measured holds near the
-    pose it was measured at."""
-    limit = chosen(obj)
-    for last in range(ROUNDS if one.rig.answers_otherwise() else 1):
-        one.rig.limit(limit)
+    """Solves for the character and shows it in Blender; again from there, with what moved, while Blender answers otherwise, for what is
+    measured holds near the pose it was measured at; and where that went far, once more with all controls."""
+    limit, wide = chosen(obj), False
+    for _ in range(READINGS):
+        more = one.rig.limit(limit, wide)
+        rounds, moved = _settle_once(obj, one, solve)
+        if not moved and more:
+            wide = True
+            bring_curves(one, obj)
+            one.rig.limit(limit, wide)
+            rounds, moved = _settle_once(obj, one, solve)
+        if not one.rig.measured or rounds < 2:
+            break
+        # A line that is drawn again where it lies is a correction that changes nothing; on curves that are new it is read.
+        bring_curves(one, obj)
+
+
+def _settle_once(obj, one, solve):
+    """One reading of what is drawn. How often it was solved, and the controls that moved."""
+    moving = []
+    for number in range(ROUNDS if one.rig.answers_otherwise() else 1):
         solve(one.rig.character, one.numbers)
         moved = one.rig.apply(one.rig.character.pose)
         if not moved or not one.rig.answers_otherwise() or one.rig.shows():
-            return
+            return number + 1, moving or moved
+        moving = moving or moved
         if one.rig.measured:
-            one.rig.measure(again=moved)
+            one.rig.measure(again=moving)
             bring_curves(one, obj)
+            moving = one.rig.same(moving)
         else:
             one.rig.take_pose()
+        one.rig.only(moving)
+    return ROUNDS, moving
 
 
 def solve_again(obj, preset=Preset.DEFAULT):

@@ -1,13 +1,14 @@
 """What each control of a rig does, found by moving it a little and looking at the surface that Blender evaluates.
 
 Drivers and constraints make any rig possible; near the pose as it is, each of its controls moves the vertices along straight ways. To
-evaluate is what costs time: only what may move the neighbourhood of the drawing is tried, what is near before what is far, and
+evaluate is what costs time: only what may move the neighbourhood of the drawing is tried, what moves little else before what moves more, and
 controls that share no vertex are tried at once.
 """
 import time
 
 import bpy
 import numpy as np
+from mathutils.kdtree import KDTree
 
 from .bones import BoneAngle, Channel
 from .candidates import extent
@@ -18,11 +19,13 @@ from .surface import making, normals_back, plain_normals
 STEP = 0.05  # of a control's range
 NEAR = 1e-6  # of the size: what Blender shows is what was computed
 NOISE = 3e-7  # of the size: what single floats make of a place
-MOST_S = 1.2  # that measuring may take
+MOST_S = 1.5  # that measuring may take
 LEAST_TRIES = 30  # whatever they take
 WIDE = 10  # times as large as what is drawn: what moves more than that is not meant by it
-PART = 0.1  # of the greatest shift: vertices that go less are not what a control is for
+FAINT = 0.003  # of what is drawn: what can move it less is left out
 ALIKE = 0.995  # the cosine from which on two controls do the same
+CARRIES = 8  # times the squares of what it does near the lines: a control that does more elsewhere is meant where no other can follow
+NEARBY = 0.18  # of what is drawn: what lies as near as that is near the lines. Both as core/intent has them for joints
 BOTH_WAYS = 0.02  # of the shift: more of a difference between up and down is no straight way
 
 
@@ -40,14 +43,19 @@ class Way:
         moved = np.abs(shifts).max(axis=1) > NOISE * size
         return cls(vertices[moved].astype(np.uint32), shifts[moved] / by)
 
-    def speed(self):
-        """The greatest shift."""
-        return float(np.linalg.norm(self.shifts, axis=1).max()) if len(self.shifts) else 0.0
+    def speed(self, among=None):
+        """The greatest shift of all vertices, or of some (a mask)."""
+        shifts = self.shifts if among is None else self.shifts[among[self.vertices]]
+        return float(np.linalg.norm(shifts, axis=1).max()) if len(shifts) else 0.0
 
     def area(self, places):
-        """How large what it moves is."""
-        long = np.linalg.norm(self.shifts, axis=1)
-        return extent(places[self.vertices[long >= PART * long.max()]]) if len(long) else 0.0
+        """How large what it moves is: the length of a rod that is as far from its middle as the vertices are, by how far they go."""
+        weights = (self.shifts ** 2).sum(axis=1)
+        if not weights.sum():
+            return 0.0
+        found = places[self.vertices]
+        middle = weights @ found / weights.sum()
+        return float(np.sqrt(12 * weights @ ((found - middle) ** 2).sum(axis=1) / weights.sum()))
 
     def add_to(self, places, amount):
         """Moves places (n, 3) by an amount of it."""
@@ -72,6 +80,12 @@ class Measured:
         self.candidate, self.up, self.down = candidate, up, down
         self.straight = up is down
         self.control = candidate.control if self.straight else TwoSided(candidate.control)
+
+    def far(self, touched):
+        """How far it can move some vertices (a mask) from where it is."""
+        control = self.candidate.control
+        least, most = control.range()
+        return max(self.up.speed(touched) * (most - control.get()), self.down.speed(touched) * (control.get() - least))
 
     def renew(self):
         """From here on it is measured from where the control is now."""
@@ -126,14 +140,14 @@ def chosen(found, near, places):
         return sorted(found, key=lambda c: c.late)
     touching = [c for c in found if c.mask[near].any()]
     drawn = max(extent(places[near]), 1e-9)
-    wide = {}
+    wide, share = {}, {}
     for c in touching:
         if id(c.mask) not in wide:
-            wide[id(c.mask)] = extent(places[c.mask])
+            wide[id(c.mask)], share[id(c.mask)] = extent(places[c.mask]), float(c.mask[near].mean())
     meant = [c for c in touching if c.place is None or c.fed or wide[id(c.mask)] <= WIDE * drawn]
-    line = places[near]
-    return sorted(meant or touching,
-                  key=lambda c: (c.late, 0.0 if c.place is None or c.fed else float(np.linalg.norm(line - c.place, axis=1).min())))
+    # What may move all that is drawn and little else comes first.
+    return sorted(meant or touching, key=lambda c: (c.late, -1.0 if c.place is None or c.fed else
+                                                    -share[id(c.mask)] * min(1.0, drawn / max(wide[id(c.mask)], 1e-12))))
 
 
 def _step(control):
@@ -250,13 +264,36 @@ def settled(found, places, near):
     if near is not None and len(near):
         touched = np.zeros(len(places), dtype=bool)
         touched[near] = True
-        found = [one for one in found if touched[one.up.vertices].any() or touched[one.down.vertices].any()]
-        drawn = WIDE * extent(places[near])
-        meant = [one for one in found if one.candidate.place is None or one.candidate.fed or one.up.area(places) <= drawn]
+        drawn = extent(places[near])
+        found = [one for one in found if one.far(touched) >= FAINT * drawn]
+        meant = [one for one in found if one.candidate.place is None or one.candidate.fed or one.up.area(places) <= WIDE * drawn]
         found = meant or found
     first = [one for one in found if one.candidate.fed]
     return [one for one in found if one.candidate.fed or not isinstance(one.candidate.control, (Channel, BoneAngle)) or
             not any(one.up.cosine(other.up, len(places)) > ALIKE for other in first)]
+
+
+def broad(found, places, near):
+    """The controls that carry much more than what is near the lines."""
+    if near is None or not len(near):
+        return []
+    tree = KDTree(len(near))
+    for i, place in enumerate(places[near]):
+        tree.insert(place, i)
+    tree.balance()
+    reach = NEARBY * extent(places[near])
+    inside = np.array([tree.find(place)[2] < reach for place in places])
+    sums = {}
+    for one in found:
+        if one.candidate.place is not None and not one.candidate.fed:
+            # A bone is judged as a whole, by its places where it has some.
+            kind = 0 if getattr(one.candidate.control, 'path', '') == 'location' else 1
+            squares = (one.up.shifts ** 2).sum(axis=1)
+            both = sums.setdefault(one.candidate.owner, {}).setdefault(kind, [0.0, 0.0])
+            both[0] += squares.sum()
+            both[1] += squares[inside[one.up.vertices]].sum()
+    wide = {owner for owner, kinds in sums.items() if kinds[min(kinds)][0] > (1 + CARRIES) * kinds[min(kinds)][1]}
+    return [one.control for one in found if one.candidate.place is not None and not one.candidate.fed and one.candidate.owner in wide]
 
 
 def shapes_of(found, now):

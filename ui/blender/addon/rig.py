@@ -74,7 +74,7 @@ class Rig:
             _check_armature(obj, armature)
         armatures = [a for a in self.graph.armatures if any(taken.carriers_of(o, a) for o in seen)]
         self.measured, self.took_s, self.left = taken.acts_between(self.surface, armatures, self.graph.driven), 0.0, 0
-        self.shown, self.found = None, None
+        self.shown, self.found, self.broad = None, None, []
         self.name = obj.name
         if self.measured:
             self.candidates = candidates(self.graph, objects, extent(self.surface.rest))
@@ -128,10 +128,11 @@ class Rig:
                 wanted = measure.chosen(self.candidates, near, trials.now)
                 found, self.left = trials.measure(wanted)
                 found = measure.settled(found, trials.now, near)
+                self.broad = [id(c) for c in measure.broad(found, trials.now, near)]
             else:
-                anew = [one.candidate for one in self.found if one.control in again]
-                fresh, _ = trials.measure(anew)
-                found = [one for one in self.found if one.control not in again] + fresh
+                again = {id(control) for control in again}
+                fresh, _ = trials.measure([one.candidate for one in self.found if id(one.control) in again])
+                found = [one for one in self.found if id(one.control) not in again] + fresh
                 for one in found:
                     one.renew()
             self.took_s = time.perf_counter() - trials.begin
@@ -167,19 +168,32 @@ class Rig:
         values = self.pose() - self.offsets
         return bool((values >= self.least - TINY).all() and (values <= self.most + TINY).all())
 
-    def _lock(self, chosen=None):
+    def _lock(self, may_move=None):
         names = [p.name for p in self.character.parameters]
         for control, numbers, free in self.parts:
-            free = free and (chosen is None or selected(control, *chosen))
+            free = free and (may_move is None or may_move(control))
             held = [True] * len(numbers) if not free else [False] if len(numbers) == 1 else control.locked()
             for number, locked in zip(numbers, held):
                 self.character.lock(names[number], locked)
 
-    def limit(self, chosen):
-        """Lets only the chosen controls move (candidates.selected()); None: all."""
+    def limit(self, chosen, wide=False):
+        """Lets only the chosen controls move (candidates.selected()); None: all. `wide`: also those that carry much more than what is
+        drawn on, which are meant where no other can follow. Whether there are such."""
         if chosen is not None and not any(free and selected(control, *chosen) for control, _, free in self.parts):
             raise Refused('none of what is selected moves the curve on %s; select other bones, or turn off Selected Only' % self.name)
-        self._lock(chosen)
+        narrow = [control for control, _, _ in self.parts if id(control) not in self.broad and (chosen is None or selected(control, *chosen))]
+        wide |= not narrow
+        self._lock(lambda control: (chosen is None or selected(control, *chosen)) and (wide or id(control) not in self.broad))
+        return not wide and len(narrow) < len(self.parts)
+
+    def only(self, controls):
+        """Lets only these controls move."""
+        self._lock(lambda control: any(control is one for one in controls))
+
+    def same(self, controls):
+        """The controls that stand for earlier ones after they were measured again."""
+        plain = [getattr(control, 'control', control) for control in controls]
+        return [c for c, _, _ in self.parts if any(getattr(c, 'control', c) is one for one in plain)]
 
     def answers_otherwise(self):
         """Whether Blender may show another pose than the one that is solved for, so that it is solved again from there."""
