@@ -7,6 +7,7 @@
 #include "core/io/fbx/fbx_scene.h"
 #include "core/io/fbx/fbx_tree.h"
 #include "core/io/model/model_formats.h"
+#include "core/rig/mirrored_triangles.h"
 
 namespace penpose::io {
 namespace {
@@ -36,10 +37,11 @@ base::Result<document::Model> read_fbx(base::Bytes bytes, const FileResolver&) {
   if (!meshes) return meshes.error();
   auto animations = read_fbx_animations(*scene, *joints, meshes->shapes);
   const std::size_t vertices = meshes->source.positions.size();
-  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
-  if (!mesh) return mesh.error();
   auto skeleton = skeleton_of(*joints, *meshes);
   if (!skeleton) return skeleton.error();
+  if (*skeleton) rig::turn_mirrored(**skeleton, meshes->source.triangles);
+  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
+  if (!mesh) return mesh.error();
   std::shared_ptr<const rig::BlendShapes> shapes;
   if (!meshes->shapes.empty()) {
     auto made = rig::BlendShapes::make(std::move(meshes->shapes), vertices);

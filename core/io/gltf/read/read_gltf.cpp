@@ -22,6 +22,7 @@
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
 #include "core/mesh/topology.h"
+#include "core/rig/mirrored_triangles.h"
 
 namespace penpose::io {
 namespace {
@@ -168,17 +169,18 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
   const std::size_t vertices = meshes->source.positions.size();
-  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
-  if (!mesh) return mesh.error();
-  meshes->source.parts.assign((*mesh)->parts().begin(), (*mesh)->parts().end());
-  if (const auto status = check_curves(*root, (*mesh)->triangle_count()); !status) return status.error();
   std::shared_ptr<const rig::Skeleton> skeleton;
   if (!joints->joints.empty()) {
     auto made = rig::Skeleton::make(std::move(joints->joints), std::move(joints->first_influence),
                                     std::move(joints->influences));
     if (!made) return made.error();
     skeleton = std::move(made).value();
+    rig::turn_mirrored(*skeleton, meshes->source.triangles);
   }
+  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
+  if (!mesh) return mesh.error();
+  meshes->source.parts.assign((*mesh)->parts().begin(), (*mesh)->parts().end());
+  if (const auto status = check_curves(*root, (*mesh)->triangle_count()); !status) return status.error();
   if (root->of_another_edition) {
     document.notes.push_back(
         "the project was drawn under another edition of penpose, which this one does not know: its controls are the "

@@ -16,6 +16,7 @@
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
 #include "core/io/surface/normals.h"
+#include "core/rig/mirrored_triangles.h"
 
 namespace penpose::io {
 namespace {
@@ -62,7 +63,9 @@ class GlbWriter {
     const mesh::TriangleMesh& mesh = *model_.mesh;
     normals_.assign(mesh.file_normals().begin(), mesh.file_normals().end());
     const bool missing = normals_.empty();
-    if (missing) normals_ = smooth_normals(mesh.positions(), mesh.triangles(), mesh.smoothing());
+    triangles_.assign(mesh.triangles().begin(), mesh.triangles().end());
+    if (model_.skeleton) rig::turn_mirrored(*model_.skeleton, triangles_);
+    if (missing) normals_ = smooth_normals(mesh.positions(), triangles_, mesh.smoothing());
     for (glm::vec3& n : normals_) n = glm::vec3(geometry::normalized(geometry::ModelVector(n)));
   }
 
@@ -81,7 +84,7 @@ class GlbWriter {
     if (skin_.binding(index) == Binding::skinned) skin_.write_weights(part, builder_, attributes);
     std::vector<std::uint32_t> corners;
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-      for (const std::uint32_t v : model_.mesh->triangles()[t]) corners.push_back(v - part.first_vertex);
+      for (const std::uint32_t v : triangles_[t]) corners.push_back(v - part.first_vertex);
     }
     // A mesh without triangles cannot be said in glTF; a triangle without area is dropped again when it is read.
     if (corners.empty()) corners.assign(3, 0);
@@ -202,6 +205,7 @@ class GlbWriter {
   GltfBuilder builder_;
   GlbNodes out_;
   std::vector<glm::vec3> normals_;
+  std::vector<mesh::Triangle> triangles_;  ///< as the file has them, before what carries them mirrors them
   std::vector<std::vector<std::size_t>> shapes_of_part_;
   std::vector<std::size_t> node_of_part_;
   double between_error_ = 0;  ///< of keys, model units

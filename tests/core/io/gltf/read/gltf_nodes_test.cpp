@@ -95,5 +95,35 @@ TEST(GltfNodes, TreeAndScene) {
   EXPECT_EQ(tree.in_scene, (std::vector<bool>{true, true, true, false}));
 }
 
+/// The normal of the first triangle as the model is shown at rest.
+geometry::ModelVector shown_normal(const document::Model& model) {
+  std::vector<geometry::ModelPoint> places(model.rig->vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), places);
+  const auto& [a, b, c] = model.mesh->triangles()[0];
+  return glm::cross(places[b] - places[a], places[c] - places[a]);
+}
+
+TEST(GltfNodes, AMirroredPartIsShownFromItsOutside) {
+  // The square under a node above its own, which a mirrored one may stand above again.
+  for (const auto& [outer, inner, mirrored] :
+       {std::tuple(-1, 1, true), std::tuple(1, -1, true), std::tuple(-1, -1, false)}) {
+    tests::GltfSample sample = tests::square_sample();
+    sample.json["nodes"][0]["scale"] = {inner, 1, 1};
+    sample.add("nodes", {{"name", "above"}, {"scale", {outer, 1, 1}}, {"children", {0}}});
+    sample.json["scenes"][0]["nodes"] = {1};
+    const auto model = sample.read();
+    ASSERT_TRUE(model.ok()) << model.error().line();
+    EXPECT_GT(shown_normal(*model).z, 0) << outer << inner;
+    EXPECT_EQ(model->mesh->triangles()[0] == (mesh::Triangle{0, 2, 1}), mirrored);
+    // Written anew the triangles are as they were in the file.
+    document::Model bare = *model;
+    bare.source = nullptr;
+    const auto again = read_gltf(write_glb(bare).value());
+    ASSERT_TRUE(again.ok()) << again.error().line();
+    EXPECT_EQ(again->mesh->triangles()[0], model->mesh->triangles()[0]);
+    EXPECT_GT(shown_normal(*again).z, 0);
+  }
+}
+
 }  // namespace
 }  // namespace penpose::io
