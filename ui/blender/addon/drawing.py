@@ -4,9 +4,10 @@ call: Stroke, with follow() for each part of a target, then end() or cancel().
 import numpy as np
 from mathutils import Vector
 
-from . import across, curves, keys, store, surface  # noqa: F401
-from .curves import change, delete, kept_all, parts, places, put_back_all, target_places  # noqa: F401 what others draw and list
+from . import across, keys, store, surface  # noqa: F401
+from . import curves as on_parts
 from .controls import Refused
+from .curves import change, curves, delete, kept_all, parts, places, put_back_all, target_places  # noqa: F401 what others draw and list
 from .held import Held
 from .known import bring_curves, forget, in_step, known, of, said  # noqa: F401
 from .library import Error, Preset, Role
@@ -37,7 +38,7 @@ class Stroke:
             self.live = self.rig.character.live(self.known.numbers[self.curve], seen.view)
 
     def _curve(self, obj, of):
-        references = [c for c in curves.curves(obj) if c['role'] == 'reference']
+        references = [c for c in curves(obj) if c['role'] == 'reference']
         if of is not None:
             references = [c for c in references if c['id'] == of]
         else:
@@ -109,11 +110,11 @@ class Stroke:
         except Refused:
             self.cancel(obj)
             raise
-        owner = next(c.owner for c in curves.curves(obj) if c['id'] == self.curve)
-        view = curves.view_to_owner(self.rig.surface, owner, self.seen.view)
+        owner = next(c.owner for c in curves(obj) if c['id'] == self.curve)
+        view = on_parts.view_to_owner(self.rig.surface, owner, self.seen.view)
         target = {'view': vars(view), 'px': px.tolist(), 'pressure': [] if pressure is None else pressure.tolist()}
         change(obj, self.curve, lambda curve: curve.update(target=target) or curve)
-        self.known.kept = curves.texts(obj)
+        self.known.kept = on_parts.texts(obj)
         moved = self.known.rig.changed_from(self.kept)
         self.keyed = keys.key(moved, said=self.known.said)
         return moved
@@ -188,9 +189,9 @@ def keep_curve(one, obj, number, role):
     """Keeps a curve of the character on the mesh that it lies on, and measures what may move it. Its id there."""
     triangles, shares = one.rig.character.points(number)
     points = [(int(t), s) for t, s in zip(triangles, shares)]
-    made = curves.add(obj, one.rig.surface, points, {'role': role})
+    made = on_parts.add(obj, one.rig.surface, points, {'role': role})
     one.numbers[made] = number
-    one.kept = curves.texts(obj)
+    one.kept = on_parts.texts(obj)
     if role == 'reference' and one.rig.measured:
         one.prepare(obj)
     return made
@@ -200,13 +201,13 @@ def mirrored(obj, number, replace=False):
     """Makes a curve and its target on the other side of the character, as a new one (`replace`: instead), and solves. The controls that
     moved. Raises Refused."""
     one = known(obj, measured=False)
-    curve = next((c for c in curves.curves(obj) if c['id'] == number), None)
+    curve = next((c for c in curves(obj) if c['id'] == number), None)
     if curve is None:
         raise Refused('%s has no curve %s' % (obj.name, number))
     points, made = across.flipped(one.rig.surface, curve)
     if replace:
         delete(obj, number)
-    curves.add(obj, one.rig.surface, points, made)
+    on_parts.add(obj, one.rig.surface, points, made)
     return solve_again(obj) if 'target' in made else []
 
 
