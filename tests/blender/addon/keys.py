@@ -193,6 +193,8 @@ class Keys(unittest.TestCase):
         wanted = {'Location': {'location'}, 'Rotation': {'rotation_quaternion'}, 'Scale': {'scale'},
                   'Location, Rotation & Scale': {'location', 'rotation_quaternion', 'scale'}, 'BBone Shape': None, 'Available': set()}
         for name, channels in wanted.items():
+            if name not in self.scene.keying_sets_all:  # 5.0 has none of bendy bones
+                continue
             with self.subTest(name):
                 self.armature.animation_data_clear()
                 self.active(name)
@@ -262,7 +264,8 @@ class Keys(unittest.TestCase):
         own.use_insertkey_override_needed = own.use_insertkey_needed = True
         self.scene.frame_set(20)
         keys.key([self.control(self.up)])
-        self.assertEqual(self.frames(self.obj.data.shape_keys, 'key_blocks["up"].value'), [1, 5, 20], 'Blender moves one that says nothing')
+        kept = [1, 5, 20] if bpy.app.version < (4, 1, 0) else [1, 5, 9]
+        self.assertEqual(self.frames(self.obj.data.shape_keys, 'key_blocks["up"].value'), kept, 'up to 4.0 Blender moves one that says nothing')
         self.assertEqual(keying_sets.rules_of(own, ()), {'INSERTKEY_NEEDED'})
 
     # Where keys go.

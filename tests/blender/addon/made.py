@@ -13,8 +13,12 @@ SHOWN, NEAR = 1e-5, 0.02  # shares of the mesh's size and of the drawing's
 
 
 def empty_file():
-    """A file with nothing in it."""
+    """A file with nothing in it, and keys that go wherever they are asked for: later versions begin with other preferences."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    edit = bpy.context.preferences.edit
+    for name in ('use_keyframe_insert_available', 'use_keyframe_insert_needed', 'use_auto_keyframe_insert_needed'):
+        if hasattr(edit, name):
+            setattr(edit, name, False)
     desk.addon_utils.enable('penpose_blender', default_set=True)
 
 

@@ -123,7 +123,8 @@ class Sheets(Drawn):
     def test_moved_layers(self):
         pencil = desk.pencil([('Face', {1: self.lines()})])
         before = grease.drawings_of(pencil)[1][0][0]
-        pencil.data.layers[0].location = (0, 0, 0.25)
+        layer = pencil.data.layers[0]
+        setattr(layer, 'location' if hasattr(layer, 'location') else 'translation', (0, 0, 0.25))
         bpy.context.view_layer.update()
         after = grease.drawings_of(pencil)[1][0][0]
         self.assertTrue(np.allclose(after - before, (0, 0, 0.5), atol=1e-5))
