@@ -327,7 +327,7 @@ constexpr std::array k_actions{
     ActionInfo{{"shortcuts"}, "Shortcuts", plain(k_key_f1), shift('/'), "All keyboard shortcuts",
      "M3 6L21 6L21 18L3 18Z M7 10L7 10.5M11 10L11 10.5M15 10L15 10.5M8 14.5L16 14.5",
      does([](Dialogs& dialogs) { find(dialogs, Dialog::shortcuts); })},
-    ActionInfo{{"sound"}, "Sound", ctrl_shift('k'), {}, "Add a sound to the timeline: WAV, FLAC or OGG",
+    ActionInfo{{"sound"}, "Sound", ctrl_shift('k'), {}, "Add a sound to the timeline: WAV, FLAC, OGG, MP3 or AIFF",
      "M4 9L8 9L13 5L13 19L8 15L4 15ZM16 9L16 15M19 7L19 17", does([](Dialogs& dialogs) { dialogs.show(Dialog::sound); })},
     ActionInfo{{"search"}, "Search", ctrl('k'), {}, "Find an action, a control, a pose or a file by its name",
      "C10 10 6M15 15L21 21", does([](Dialogs& dialogs) { find(dialogs, Dialog::search); })},

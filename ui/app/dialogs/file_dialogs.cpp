@@ -106,7 +106,7 @@ void show_sound_dialog(PanelContext& context, EditingSession& editing, SoundTrac
                        Preferences& preferences, Dialogs& dialogs) {
   const FileDialogsOwners with{files, preferences, dialogs};
   if (begin_dialog(context, "Sound on the timeline", k_file_dialog_wide)) {
-    ImGui::TextDisabled("WAV, FLAC or OGG");
+    ImGui::TextDisabled("WAV, FLAC, OGG, MP3 or AIFF");
     // Also one whose file is gone.
     const bool has = editing.document().sound != nullptr;
     const std::string chosen = browse(context, with, {sound_kinds(), 8, has ? 2.0F : 1.0F});

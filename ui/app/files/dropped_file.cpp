@@ -9,6 +9,7 @@
 #include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/tracks/track_formats.h"
+#include "core/sound/read/sound_container.h"
 #include "ui/app/sound/sound_track.h"
 #include "ui/files/load_model.h"
 #include "ui/film/read_film.h"
@@ -21,7 +22,8 @@ bool begins(base::Bytes bytes, std::string_view with, std::size_t at = 0) {
 }
 
 bool is_sound(base::Bytes head) {
-  return (begins(head, "RIFF") && begins(head, "WAVE", 8)) || begins(head, "fLaC") || begins(head, "OggS");
+  const auto container = sound::sound_container(head);
+  return container && container->is_read;
 }
 
 bool is_picture(base::Bytes head) {

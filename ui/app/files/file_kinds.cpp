@@ -54,7 +54,8 @@ const std::vector<FileKind>& reference_kinds() {
 }
 
 const std::vector<FileKind>& sound_kinds() {
-  static const std::vector<FileKind> kinds{{"Sounds", {".wav", ".flac", ".ogg", ".oga"}}};
+  static const std::vector<FileKind> kinds{
+      {"Sounds", {".wav", ".flac", ".ogg", ".oga", ".opus", ".mp3", ".aiff", ".aif", ".caf", ".w64", ".rf64", ".au"}}};
   return kinds;
 }
 

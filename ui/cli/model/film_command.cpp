@@ -306,7 +306,7 @@ void add_film_options(const Command& command, FilmOptions& options) {
   command.add_option("--crop", options.crop, "film a part of the picture of --size alone: WIDTHxHEIGHT+LEFT+TOP in px")
       .check(check_part, "WxH+X+Y");
   const Option sound =
-      command.add_option("--sound", options.sound, "WAV, FLAC or OGG file in place of the project's sound");
+      command.add_option("--sound", options.sound, "WAV, FLAC, OGG, MP3 or AIFF file in place of the project's sound");
   command.add_option("--sound-offset", options.sound_offset_s, "second of the timeline at which --sound begins")
       .check(number_range(-36000, 36000), "-36000 to 36000")
       .needs(sound)
@@ -342,7 +342,7 @@ Subcommand film_subcommand() {
       {"penpose film clip.glb --size 320x320 -o clip.png", "its pictures; clip.mp4, .webm or .gif through ffmpeg"},
       {"penpose film clip.glb --sheet 6 --size 160x160 -o sheet.png", "every sixth frame on one picture"},
       {{"-o", Completes::files, {".mp4", ".webm", ".gif", ".png"}},
-       {"--sound", Completes::files, {".wav", ".flac", ".ogg"}}});
+       {"--sound", Completes::files, {".wav", ".flac", ".ogg", ".mp3", ".aiff"}}});
 }
 
 }  // namespace penpose::cli

@@ -5,13 +5,16 @@
 #include <memory>
 #include <sndfile.h>
 #include <string>
+#include <vector>
+
+#include "core/sound/read/sound_container.h"
 
 namespace penpose::sound {
 namespace {
 
 constexpr int k_most_channels = 32;
 constexpr std::size_t k_block_frames = 16384;
-constexpr const char* k_remedy = "give a sound that plays elsewhere, as WAV, FLAC or OGG";
+constexpr const char* k_remedy = "give a sound that plays elsewhere, as WAV, FLAC, OGG or MP3";
 
 /// Bytes as the file that libsndfile reads.
 struct OpenBytes {
@@ -42,6 +45,33 @@ sf_count_t read_from(void* to, sf_count_t count, void* file) {
 sf_count_t write_nothing(const void*, sf_count_t, void*) { return 0; }
 sf_count_t place_in(void* file) { return static_cast<const OpenBytes*>(file)->at; }
 
+/// A RIFF file whose chunk of data has no size, or one beyond the end, with the size that it has; empty: it has one.
+std::vector<std::uint8_t> with_data_size(base::Bytes bytes) {
+  constexpr std::size_t k_head = 12, k_chunk = 8;
+  if (!base::as_text(bytes).starts_with("RIFF")) return {};
+  const auto size_at = [&](std::size_t at) {
+    std::size_t size = 0;
+    for (std::size_t i = 4; i-- > 0;) size = size << 8 | bytes[at + i];
+    return size;
+  };
+  for (std::size_t at = k_head; at + k_chunk <= bytes.size();) {
+    const std::size_t size = size_at(at + 4), rest = bytes.size() - at - k_chunk;
+    if (base::as_text(bytes).substr(at, 4) != "data") {
+      at += k_chunk + size + size % 2;
+      continue;
+    }
+    if (rest == 0 || (size > 0 && size <= rest)) return {};
+    std::vector<std::uint8_t> out(bytes.begin(), bytes.end());
+    const auto put = [&](std::size_t where, std::size_t value) {
+      for (std::size_t i = 0; i < 4; ++i) out[where + i] = static_cast<std::uint8_t>(value >> (8 * i));
+    };
+    put(at + 4, rest);
+    put(4, bytes.size() - k_chunk);
+    return out;
+  }
+  return {};
+}
+
 struct Close {
   void operator()(SNDFILE* file) const { sf_close(file); }
 };
@@ -57,8 +87,15 @@ base::Error too_long() {
 bool reads_sounds() { return true; }
 
 base::Result<Sound> read_sound(base::Bytes bytes) {
-  if (!looks_like_sound(bytes)) return wrong_sound("the file is no WAV, FLAC or OGG sound");
-  OpenBytes open{bytes};
+  const auto container = sound_container(bytes);
+  if (!container) return wrong_sound("the file is no sound that is read here");
+  if (!container->is_read) {
+    return base::Error{"this is " + std::string(container->name) + " sound, which is not read here", "",
+                       "give WAV, FLAC, OGG or MP3"};
+  }
+  bytes = without_id3(bytes);
+  const std::vector<std::uint8_t> sized = with_data_size(bytes);
+  OpenBytes open{sized.empty() ? bytes : base::Bytes(sized)};
   SF_VIRTUAL_IO calls{length_of, seek_in, read_from, write_nothing, place_in};
   SF_INFO info{};
   const std::unique_ptr<SNDFILE, Close> file(sf_open_virtual(&calls, SFM_READ, &info, &open));

@@ -115,5 +115,59 @@ TEST(ReadSound, WhatIsNoSoundIsSaidInOneLine) {
   EXPECT_NE(rate.error().what.find("100 samples a second"), std::string::npos);
 }
 
+TEST(ReadSound, OtherContainersAreReadByWhatIsInThem) {
+  const auto expected = tests::tone(440, 44100, 1);
+  const std::pair<int, double> formats[] = {{SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, 0.02},
+                                            {SF_FORMAT_AIFF | SF_FORMAT_PCM_16, 1e-4},
+                                            {SF_FORMAT_AIFF | SF_FORMAT_FLOAT, 0},
+                                            {SF_FORMAT_CAF | SF_FORMAT_PCM_16, 1e-4},
+                                            {SF_FORMAT_RF64 | SF_FORMAT_PCM_16, 1e-4},
+                                            {SF_FORMAT_W64 | SF_FORMAT_PCM_16, 1e-4},
+                                            {SF_FORMAT_AU | SF_FORMAT_PCM_16, 1e-4}};
+  for (const auto& [format, most] : formats) {
+    const auto bytes = file_of(expected, 44100, format);
+    EXPECT_TRUE(looks_like_sound(bytes));
+    const auto sound = read_sound(bytes);
+    ASSERT_TRUE(sound) << std::hex << format << ": " << sound.error().line();
+    EXPECT_NEAR(sound->duration_s(), 1, 0.06) << std::hex << format;
+    // A coder of MP3 begins with some silence.
+    if (most < 0.01) {
+      EXPECT_LE(mean_difference(sound->samples, expected), most) << std::hex << format;
+    }
+  }
+  const auto opus = file_of(tests::tone(440, 48000, 1), 48000, SF_FORMAT_OGG | SF_FORMAT_OPUS);
+  ASSERT_TRUE(read_sound(opus));
+  EXPECT_NEAR(read_sound(opus)->duration_s(), 1, 0.05);
+}
+
+TEST(ReadSound, ATagInFrontAndAMissingSizeAreNoHindrance) {
+  const auto plain = tests::wav_bytes(tests::tone(440, 8000, 0.1), 8000);
+  std::vector<std::uint8_t> tagged{'I', 'D', '3', 4, 0, 0, 0, 0, 0, 5, 'a', 'b', 'c', 'd', 'e'};
+  tagged.insert(tagged.end(), plain.begin(), plain.end());
+  ASSERT_TRUE(read_sound(tagged)) << read_sound(tagged).error().line();
+  EXPECT_EQ(read_sound(tagged)->samples.size(), 800U);
+  auto piped = plain;
+  std::fill_n(piped.begin() + 40, 4, std::uint8_t{0});
+  ASSERT_TRUE(read_sound(piped)) << read_sound(piped).error().line();
+  EXPECT_EQ(read_sound(piped)->samples.size(), 800U);
+}
+
+TEST(ReadSound, ContainersThatAreNotReadAreRefusedByName) {
+  using namespace std::string_view_literals;
+  const std::pair<std::string_view, const char*> files[] = {{"\0\0\0\x1c"
+                                                             "ftypM4A \0\0\0\0"sv,
+                                                             "MP4"},
+                                                            {"\x30\x26\xB2\x75\x8E\x66\xCF\x11\xA6\xD9"sv, "WMA"},
+                                                            {"\xFF\xF1\x50\x80\x00\x1F"sv, "AAC"},
+                                                            {"#!AMR\n"sv, "AMR"}};
+  for (const auto& [text, name] : files) {
+    const auto sound = read_sound(base::as_bytes(text));
+    ASSERT_FALSE(sound);
+    EXPECT_NE(sound.error().what.find(name), std::string::npos) << sound.error().line();
+    EXPECT_NE(sound.error().remedy.find("WAV"), std::string::npos);
+  }
+  EXPECT_FALSE(looks_like_sound(base::as_bytes("0.00\tX\n"sv)));
+}
+
 }  // namespace
 }  // namespace penpose::sound
