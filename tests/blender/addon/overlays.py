@@ -80,7 +80,7 @@ class Overlays(unittest.TestCase):
     def test_arcs(self):
         self.assertEqual(arcs.arcs_of(self.times(), self.scene, self.pen), [], 'what stays has no arc')
         self.animate()
-        arc, = arcs.arcs_of(self.times(), self.scene, self.pen)
+        arc = arcs.arcs_of(self.times(), self.scene, self.pen)[0]
         self.assertEqual(arc.frames, list(range(-1, 12)))
         self.assertEqual([f for f, k in zip(arc.frames, arc.keyed) if k], [1, 11])
         self.scene.frame_set(9)
@@ -97,18 +97,18 @@ class Overlays(unittest.TestCase):
         self.assertEqual(sorted(g.frame for g in found), [-1, 2, 8, 11])
 
     def place_on_arc(self, frame):
-        arc, = arcs.arcs_of(self.times(), self.scene, self.pen)
+        arc = arcs.arcs_of(self.times(), self.scene, self.pen)[0]
         return self.shown.places(self.shown.view.project(self.times().space.from_world(arc.points)))[arc.frames.index(frame)]
 
     def test_hits(self):
         self.animate()
         self.pen.ghosts = False
-        self.assertEqual(arcs.hit(self.obj, self.place_on_arc(9) + (2, 1), self.shown, self.scene, self.pen), ('arc', 1, 9))
+        self.assertEqual(arcs.hit(self.obj, self.place_on_arc(9) + (2, 1), self.shown, self.scene, self.pen)[1:], ('arc', 1, 9))
         self.assertIsNone(arcs.hit(self.obj, self.place_on_arc(9) + (300, 0), self.shown, self.scene, self.pen))
         self.pen.arcs, self.pen.ghosts = False, True
         ghost = next(g for g in arcs.ghosts_of(self.times(), self.scene, self.pen) if g.frame == 11)
         on_it = self.shown.places(self.shown.view.project(self.times().space.from_world(ghost.lines[0][1])))
-        self.assertEqual(arcs.hit(self.obj, on_it[len(on_it) // 2], self.shown, self.scene, self.pen), ('ghost', 1, 11))
+        self.assertEqual(arcs.hit(self.obj, on_it[len(on_it) // 2], self.shown, self.scene, self.pen)[1:], ('ghost', 1, 11))
         self.assertIsNone(arcs.hit(self.obj, self.begin[0] - (200, 0), self.shown, self.scene, self.pen))
         self.pen.ghosts = False
         self.assertIsNone(arcs.hit(self.obj, self.place_on_arc(9), self.shown, self.scene, self.pen), 'what is not shown is not touched')
@@ -200,7 +200,7 @@ class Overlays(unittest.TestCase):
         self.target()
         value, before = self.key.value, made.curve_px(self.obj, self.shown)
         on_it = self.begin[3] + (0, 42)
-        self.assertEqual(pull.hit(self.obj, on_it, self.shown), 1)
+        self.assertEqual(pull.hit(self.obj, on_it, self.shown)[1], 1)
         self.assertIsNone(pull.hit(self.obj, self.begin[3] + (0, 90), self.shown))
         stroke = pull.Pull(self.obj, 1, self.shown)
         for share in np.linspace(0, 1, 12):
@@ -234,7 +234,7 @@ class Overlays(unittest.TestCase):
         value, other = self.key.value, desk.seen(self.obj, 25)
         place = self.times().space.from_world(drawing.target_places(self.obj, curves.curves(self.obj)[0]))
         on_it = other.places(other.view.project(place))[5]
-        self.assertEqual(pull.hit(self.obj, on_it, other), 1)
+        self.assertEqual(pull.hit(self.obj, on_it, other)[1], 1)
         stroke = pull.Pull(self.obj, 1, other)
         stroke.add(on_it)
         stroke.add(on_it + (0, 25))

@@ -17,7 +17,8 @@ import sys
 import bpy
 from bpy.app.handlers import persistent
 
-_NAMES = ('preferences', 'pen', 'hold', 'mirror', 'override', 'pie', 'sketch', 'grease', 'pencil_film', 'recording', 'panel', 'drawing', 'overlay', 'tools')
+_NAMES = ('preferences', 'pen', 'curve_list', 'hold', 'mirror', 'override', 'pie', 'sketch', 'grease', 'pencil_film', 'recording', 'panel',
+          'drawing', 'overlay', 'tools')
 _loaded = {}  # modules by name, while the add-on is enabled
 
 

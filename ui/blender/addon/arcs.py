@@ -9,12 +9,13 @@ from . import curves, drawing
 from .moments import Moments, Shapes
 
 REACH_PX = 10.0  # so near to a frame of an arc, or to a line of a ghost, is on it
+STILL = 1e-6  # of the places: what moves less stays
 APART_PX = 6.0  # a ghost's line that is nearer to the face's own line is not taken for it
 _seen = {}  # the Shapes of the character that was shown last
 
 
 class Arc:
-    """The way of one curve: `frames`, `points` (n, 3) of the world, `keyed` (which frames have a key)."""
+    """The way of a point of one curve: `frames`, `points` (n, 3) of the world, `keyed` (which frames have a key)."""
 
     def __init__(self, curve, frames, points, keyed):
         self.curve, self.frames, self.points, self.keyed = curve, frames, points, keyed
@@ -77,19 +78,20 @@ def ghost_frames(times, scene, pen):
 
 
 def arcs_of(times, scene, pen):
-    """The arcs of all references, without those that stay where they are."""
-    frames = frames_around(scene, pen)
-    keyed = set(times.moments.keyed())
-    out = []
+    """The arcs of all references, without those that stay where they are: of the middle, and of the ends where those travel farther."""
+    frames, keyed, out = frames_around(scene, pen), set(times.moments.keyed()), []
     for curve in times.curves:
-        points = np.array([times.line(curve, f)[_middle(times, curve)] for f in frames])
-        if np.ptp(points, axis=0).max() > 1e-6 * max(1e-9, np.abs(points).max()):
-            out.append(Arc(curve, frames, points, [f in keyed for f in frames]))
+        ways = np.array([times.line(curve, f)[_told_of(times, curve)] for f in frames])
+        middle, *ends = (float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum()) for way in ways.transpose(1, 0, 2))
+        for way, travels in zip(ways.transpose(1, 0, 2), (True, *(end > middle for end in ends))):
+            if travels and np.ptp(way, axis=0).max() > STILL * max(STILL, np.abs(way).max()):
+                out.append(Arc(curve, frames, way, [f in keyed for f in frames]))
     return out
 
 
-def _middle(times, curve):
-    return len(times.curves[curve]['points']) // 2
+def _told_of(times, curve):
+    count = times.shapes.curve(times.numbers[curve], times.now).shape[0]
+    return [count // 2, 0, count - 1]
 
 
 def ghosts_of(times, scene, pen):
@@ -101,7 +103,7 @@ def ghosts_of(times, scene, pen):
 
 
 def hit(obj, place, seen, scene, pen):
-    """What a pen touches at a place of the region: ('arc' or 'ghost', curve, frame), or None."""
+    """What a pen touches at a place of the region: (px away, 'arc' or 'ghost', curve, frame), or None."""
     if not (pen.arcs or pen.ghosts):
         return None
     drawing.known(obj)
@@ -122,4 +124,4 @@ def hit(obj, place, seen, scene, pen):
             if here.min() > max(APART_PX, near[i]):
                 found.append((near[i], 'ghost', curve, ghost.frame))
     found = [one for one in found if one[0] <= REACH_PX * max(1.0, bpy.context.preferences.system.ui_scale)]
-    return min(found)[1:] if found else None
+    return min(found) if found else None

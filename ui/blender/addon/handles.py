@@ -7,7 +7,8 @@ BY_HAND = ('FREE', 'ALIGNED')
 
 
 def way_through(curve, frame):
-    """The four points (4, 2) of the part of a curve that a frame lies within, before a key is there; None at an end and where it is no Bezier curve."""
+    """The four points (4, 2) of the part of a curve that a frame lies within, before a key is there; None at an end and where it is no
+    Bezier curve."""
     points = curve.keyframe_points if curve is not None else ()
     after = next((i for i, point in enumerate(points) if point.co.x > frame), 0)
     if after == 0 or points[after - 1].interpolation != 'BEZIER':

@@ -2,7 +2,7 @@
 import bpy
 
 from . import free_keys
-from .pen import begin, ended, mesh_of, region_below, running
+from .pen import begin, begin_stroke, ended, mesh_of, region_below, running
 
 _items = []
 
@@ -41,8 +41,9 @@ class PENPOSE_OT_hold_pen(bpy.types.Operator):
         if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or region is None:
             return {'PASS_THROUGH'}
         kind = 'constraint' if event.shift else 'reference' if event.ctrl else 'AUTO'
-        with bpy.context.temp_override(area=context.area, region=region):
-            bpy.ops.penpose.draw('INVOKE_DEFAULT', True, kind=kind)
+        problem = begin_stroke(context, region, event, kind)
+        if problem:
+            self.report({'WARNING'}, problem)
         return {'RUNNING_MODAL'}
 
     def cancel(self, context):

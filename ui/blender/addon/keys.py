@@ -33,7 +33,8 @@ class Rules:
             self.options.add('INSERTKEY_CYCLE_AWARE')
         self.replace = self.auto and settings.auto_keying_mode == 'REPLACE_KEYS'
         self.available = self.replace or self.auto and self.set is None and edit.use_keyframe_insert_available
-        self.type, self.interpolation, self.handle = settings.keyframe_type, edit.keyframe_new_interpolation_type, edit.keyframe_new_handle_type
+        self.type = settings.keyframe_type
+        self.interpolation, self.handle = edit.keyframe_new_interpolation_type, edit.keyframe_new_handle_type
 
     def for_all(self):
         """The same for keys that are asked for by name: all of what moves, new curves and further keys too."""

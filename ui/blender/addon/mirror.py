@@ -4,8 +4,9 @@ from mathutils import Quaternion
 
 from . import bones, curves, drawing, keys
 from .controls import Refused
+from .curve_list import WithCurves
 from .library import Error
-from .pen import _WithCurves, mesh_of, redraw, tell_moved
+from .pen import mesh_of, redraw, tell_moved
 
 
 def other_side(name):
@@ -31,7 +32,8 @@ def flip_pose(rig):
         if any(path.startswith('rotation') for path in paths):
             bones.set_turn(bone, Quaternion((turn.w, turn.x, -turn.y, -turn.z)))
         if 'location' in paths:
-            bone.location = [old if held else new for old, new, held in zip(bone.location, (-place.x, place.y, place.z), bone.lock_location)]
+            flipped = -place.x, place.y, place.z
+            bone.location = [old if held else new for old, new, held in zip(bone.location, flipped, bone.lock_location)]
         if 'scale' in paths:
             bone.scale = [old if held else new for old, new, held in zip(bone.scale, size, bone.lock_scale)]
     return rig.changed_from(kept)
@@ -56,7 +58,7 @@ def _bones_of(rig):
     return [bone for bone, _ in _paths_of(rig).values()]
 
 
-class _Across(_WithCurves):
+class _Across(WithCurves):
     bl_options = {'REGISTER', 'UNDO'}
 
     def execute(self, context):

@@ -122,7 +122,9 @@ class Shapes:
 
     def vertices(self, pose):
         """All vertices (n, 3), in its space, float32."""
-        return self._remembered(pose.tobytes(), pose, lambda: self.character.evaluate(out=np.empty((self.character.vertex_count, 3), np.float32)))
+        def find():
+            return self.character.evaluate(out=np.empty((self.character.vertex_count, 3), np.float32))
+        return self._remembered(pose.tobytes(), pose, find)
 
     def _remembered(self, name, pose, find):
         if name not in self.kept:

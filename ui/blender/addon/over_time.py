@@ -8,9 +8,9 @@ from . import arcs, drawing, lines, versions
 
 BEFORE, AFTER, NOW = 0xc04bff, 0x19c8d8, 0xffffff
 FADE = 0.6  # each ghost shows so much of the one before it
-OPAQUE = 0.3  # of the nearest ghost's face
-MOVED = 0.002  # of the size: where a ghost lies as the face does now, nothing is drawn
-TICK, KEY = 5.0, 9.0  # px of a frame on an arc, and of one with a key
+OPAQUE = 0.25  # of the nearest ghost's face, where it lies well apart from the face as it is now
+HERE, APART = 0.002, 0.03  # of the size: where a ghost lies as the face does now, nothing is drawn
+TICK, KEY = 4.0, 7.0  # px of a frame on an arc, and of one with a key
 MOST_KEPT = 40
 
 _batches = {}
@@ -65,31 +65,33 @@ def _read_soon(name):
 
 def _draw_ghost(times, ghost):
     share = FADE ** (abs(ghost.away) - 1)
-    batch = _face(times, ghost)
+    batch = _face(times, ghost, OPAQUE * share)
     if batch is not None:
-        shader = versions.flat_shader()
-        shader.bind()
-        shader.uniform_float('color', color_of(ghost.away, OPAQUE * share))
         gpu.state.face_culling_set('BACK')
-        batch.draw(shader)
+        batch.draw(versions.smooth_shader())
         gpu.state.face_culling_set('NONE')
     shader = lines.line_shader()
     for _, points in ghost.lines:
-        lines.line(shader, points, color_of(ghost.away, share), edge=False)
+        lines.line(shader, points, color_of(ghost.away, share))
 
 
-def _face(times, ghost):
+def _face(times, ghost, opaque):
     """What of the face lies elsewhere then, as triangles; None where nothing does."""
-    name = id(times.rig.character), ghost.pose.tobytes(), times.now.tobytes()
+    name = id(times.rig.character), ghost.pose.tobytes(), times.now.tobytes(), ghost.away
     if name not in _batches:
         if len(_batches) >= MOST_KEPT:
             _batches.clear()
         there, here = times.shapes.vertices(ghost.pose), times.shapes.vertices(times.now)
-        moved = np.abs(there - here).max(axis=1) > MOVED * np.linalg.norm(np.ptp(here, axis=0))
+        away = np.linalg.norm(there - here, axis=1) / np.linalg.norm(np.ptp(here, axis=0))
+        share = np.clip((away - HERE) / (APART - HERE), 0, 1)
         triangles = times.shapes.character.triangles
-        triangles = triangles[moved[triangles].any(axis=1)]
-        _batches[name] = batch_for_shader(versions.flat_shader(), 'TRIS', {'pos': times.space.to_world(there).astype(np.float32)},
-                                          indices=np.ascontiguousarray(triangles, dtype=np.int32)) if len(triangles) else None
+        triangles = triangles[(share[triangles] > 0).any(axis=1)]
+        colors = np.empty((len(there), 4), dtype=np.float32)
+        colors[:] = color_of(ghost.away)
+        colors[:, 3] = opaque * share
+        _batches[name] = batch_for_shader(
+            versions.smooth_shader(), 'TRIS', {'pos': times.space.to_world(there).astype(np.float32), 'color': colors},
+            indices=np.ascontiguousarray(triangles, dtype=np.int32)) if len(triangles) else None
     return _batches[name]
 
 

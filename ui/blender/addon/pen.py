@@ -1,4 +1,6 @@
 """The pen in the viewport: one stroke is one operator and one step of undo."""
+from types import SimpleNamespace
+
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
 
@@ -15,6 +17,7 @@ KINDS = [('AUTO', 'Draw', 'A reference where the feature is, then its target whe
          ('constraint', 'Constraint', 'What stays where it is', 'PINNED', 3)]
 
 _running = []  # operators that wait for a stroke or draw one
+_touches = []  # the press that a stroke begins with, where another operator saw it
 
 
 def running(operator):
@@ -41,6 +44,21 @@ def stop():
     """Ends the strokes that are being drawn, without a trace: the add-on goes, a file is loaded, or an undo comes."""
     for operator in list(_running):
         operator.leave()
+
+
+def begin_stroke(context, region, event, kind):
+    """Begins a stroke from within another operator, at the press that this one saw: Blender would hand on whatever came last. Why it does
+    not begin, or an empty text."""
+    _touches[:] = [SimpleNamespace(type=event.type, value=event.value, mouse_x=event.mouse_x, mouse_y=event.mouse_y,
+                                   is_tablet=getattr(event, 'is_tablet', False), pressure=getattr(event, 'pressure', 1.0))]
+    try:
+        with bpy.context.temp_override(area=context.area, region=region):
+            bpy.ops.penpose.draw('INVOKE_DEFAULT', True, kind=kind)
+    except RuntimeError as problem:
+        return str(problem).strip().splitlines()[0].replace('Error: ', '', 1)
+    finally:
+        _touches.clear()
+    return ''
 
 
 def redraw():
@@ -80,7 +98,8 @@ class PENPOSE_PG_pen(bpy.types.PropertyGroup):
                          description='Show the face before (violet) and after (cyan). Draw over a line of one to pose it')
     arc_frames: IntProperty(name='Frames', default=12, min=1, max=100, description='Of an arc, on either side of now')
     ghost_count: IntProperty(name='Ghosts', default=2, min=1, max=9, description='On either side of now')
-    ghost_at: EnumProperty(name='At', items=[('KEYS', 'Keys', 'On the frames that have keys'), ('FRAMES', 'Frames', 'Every so many frames')])
+    ghost_at: EnumProperty(name='At', items=[('KEYS', 'Keys', 'On the frames that have keys'),
+                                             ('FRAMES', 'Frames', 'Every so many frames')])
     ghost_step: IntProperty(name='Step', default=5, min=1, max=100, description='Frames between ghosts')
 
 
@@ -138,8 +157,9 @@ class PENPOSE_OT_draw(bpy.types.Operator):
 
     def invoke(self, context, event):
         obj = mesh_of(context)
-        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, None
+        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, ()
         self.kind_drawn = next_stroke(obj, self.kind, self.curve)[0]
+        event = _touches.pop() if _touches else event
         if context.region is not None and context.region.type == 'WINDOW' and event.value in {'PRESS', 'CLICK_DRAG'}:
             if not self._press(context, event, context.region, obj):
                 return {'CANCELLED'}
@@ -169,10 +189,11 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         if self.kind == pen.kind == 'AUTO' and self.kind_drawn == 'reference':
             place = event.mouse_x - region.x, event.mouse_y - region.y
             moment = arcs.hit(obj, place, seen, context.scene, pen)
-            pulled = None if moment else pull.hit(obj, place, seen, context.preferences.system.ui_scale)
+            pulled = pull.hit(obj, place, seen, context.preferences.system.ui_scale)
             if moment or pulled:
                 self.kind_drawn = 'target'
-                return MomentStroke(obj, *moment, seen) if moment else pull.Pull(obj, pulled, seen)
+                nearer = moment and (pulled is None or moment[0] < pulled[0])
+                return MomentStroke(obj, *moment[1:], seen) if nearer else pull.Pull(obj, pulled[1], seen)
         return drawing.Stroke(obj, self.kind_drawn, seen, curve)
 
     def _say(self, context):
@@ -260,7 +281,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
                 preferences.hint_was_read(bpy.context)
 
     def _normals_back(self):
-        token, self.plain = self.plain, None
+        token, self.plain = self.plain, ()
         drawing.normals_back(token)
 
     def cancel(self, context):
@@ -296,85 +317,7 @@ def tell_moved(operator, obj, moved, keyed=0, frame=None):
                     'nothing moved: no free control brings the reference nearer to that line')
 
 
-class _WithCurves:
-    """Of an object that keeps curves."""
-
-    @classmethod
-    def poll(cls, context):
-        obj = mesh_of(context)
-        if obj is None or not curves.curves(obj):
-            cls.poll_message_set('No curve is drawn on the active object')
-            return False
-        return True
-
-
-class PENPOSE_OT_solve(_WithCurves, bpy.types.Operator):
-    """Bring all curves of the object to their targets again, from the pose as it is"""
-    bl_idname = 'penpose.solve'
-    bl_label = 'Solve Again'
-    bl_options = {'REGISTER', 'UNDO'}
-
-    def execute(self, context):
-        try:
-            moved = drawing.solve_again(mesh_of(context))
-        except (Refused, Error) as problem:
-            self.report({'ERROR'}, str(problem))
-            return {'CANCELLED'}
-        tell_moved(self, mesh_of(context), moved)
-        return {'FINISHED'}
-
-
-class PENPOSE_OT_delete_curve(_WithCurves, bpy.types.Operator):
-    """Take a curve away; the pose stays"""
-    bl_idname = 'penpose.delete_curve'
-    bl_label = 'Delete Curve'
-    bl_options = {'UNDO'}
-
-    curve: IntProperty(name='Curve', description='Its number; 0: all of them', default=0, min=0)
-
-    def execute(self, context):
-        drawing.delete(mesh_of(context), self.curve or None)
-        redraw()
-        return {'FINISHED'}
-
-
-class PENPOSE_OT_choose(_WithCurves, bpy.types.Operator):
-    """Draw the target of this reference with the next stroke. Click again to leave it"""
-    bl_idname = 'penpose.choose'
-    bl_label = 'Choose Curve'
-    bl_options = {'INTERNAL'}
-
-    curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
-
-    def execute(self, context):
-        pen = context.window_manager.penpose
-        pen.curve = 0 if pen.curve == self.curve else self.curve
-        if pen.curve:
-            pen.kind = 'AUTO'
-        redraw()
-        return {'FINISHED'}
-
-
-class PENPOSE_OT_hold(_WithCurves, bpy.types.Operator):
-    """Heed this constraint, or leave it for now"""
-    bl_idname = 'penpose.hold'
-    bl_label = 'Heed Constraint'
-    bl_options = {'UNDO'}
-
-    curve: IntProperty(name='Curve', description='Its number', default=0, min=0)
-
-    def execute(self, context):
-        obj = mesh_of(context)
-        curve = next((c for c in curves.curves(obj) if c['id'] == self.curve and c['role'] == 'constraint'), None)
-        if curve is None:
-            self.report({'WARNING'}, 'there is no such constraint')
-            return {'CANCELLED'}
-        drawing.change(obj, self.curve, lambda c: c.pop('off', False) or c.update(off=True))
-        redraw()
-        return {'FINISHED'}
-
-
-CLASSES = (PENPOSE_PG_pen, PENPOSE_OT_draw, PENPOSE_OT_solve, PENPOSE_OT_delete_curve, PENPOSE_OT_choose, PENPOSE_OT_hold)
+CLASSES = (PENPOSE_PG_pen, PENPOSE_OT_draw)
 
 
 def register():

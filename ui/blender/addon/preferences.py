@@ -7,7 +7,8 @@ class PENPOSE_AP_preferences(bpy.types.AddonPreferences):
     """What stays from one session to the next."""
     bl_idname = __package__
 
-    show_hint: BoolProperty(name='Show the Hint', default=True, description='How to draw, at the bottom of the viewport, until a face has moved')
+    show_hint: BoolProperty(name='Show the Hint', default=True,
+                            description='How to draw, at the bottom of the viewport, until a face has moved')
 
     def draw(self, context):
         self.layout.prop(self, 'show_hint')

@@ -9,7 +9,7 @@ REACH_PX = 8.0  # so near to its line, px of an ordinary display, is on it
 
 
 def hit(obj, place, seen, scale=1.0):
-    """The id of the drawn target that lies below a place of the region, or None."""
+    """The drawn target that lies below a place of the region: (px away, id), or None."""
     best = None
     for curve in curves.curves(obj):
         if 'px' not in curve.get('target', ()):
@@ -18,7 +18,7 @@ def hit(obj, place, seen, scale=1.0):
         away = _distance(line, np.asarray(place, dtype=float)) if line is not None else np.inf
         if away <= REACH_PX * scale and (best is None or away < best[0]):
             best = away, curve['id']
-    return best[1] if best else None
+    return best
 
 
 def _line(obj, curve, seen):

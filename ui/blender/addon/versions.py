@@ -25,6 +25,11 @@ def flat_shader_of_px():
     return gpu.shader.from_builtin('UNIFORM_COLOR' if VERSION >= (4, 0, 0) else '2D_UNIFORM_COLOR')
 
 
+def smooth_shader():
+    """The shader of triangles with a colour at each corner."""
+    return gpu.shader.from_builtin('SMOOTH_COLOR' if VERSION >= (4, 0, 0) else '3D_SMOOTH_COLOR')
+
+
 def set_text_size(points):
     """Of what blf draws next. 4.0 took its dpi away."""
     blf.size(0, points) if VERSION >= (4, 0, 0) else blf.size(0, points, 72)
@@ -55,8 +60,10 @@ def pencil_layers(obj):
         if layer.hide:
             continue
         old = hasattr(layer, 'info')
-        parent = layer.parent.matrix_world @ getattr(layer, 'matrix_inverse' if old else 'matrix_parent_inverse') if layer.parent else obj.matrix_world
-        place = np.array(parent @ getattr(layer, 'matrix_layer' if old else 'matrix_local'))
+        above = obj.matrix_world
+        if layer.parent is not None:
+            above = layer.parent.matrix_world @ getattr(layer, 'matrix_inverse' if old else 'matrix_parent_inverse')
+        place = np.array(above @ getattr(layer, 'matrix_layer' if old else 'matrix_local'))
         frames = []
         for frame in sorted(layer.frames, key=lambda f: f.frame_number):
             strokes = frame.strokes if old else frame.drawing.strokes
