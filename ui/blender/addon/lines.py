@@ -35,3 +35,11 @@ def line(shader, points, color, width=WIDTH, opacity=1.0, edge=True):
         shader.uniform_float('lineWidth', wide * bpy.context.preferences.system.pixel_size)
         shader.uniform_float('color', (*shade[:3], shade[3] * opacity))
         batch.draw(shader)
+
+
+def redraw():
+    """All viewports show what is new. Areas are looked up at each use, for they may be closed at any time."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == 'VIEW_3D':
+                area.tag_redraw()

@@ -12,14 +12,20 @@ OPAQUE = 0.25  # of the nearest ghost's face, where it lies well apart from the 
 HERE, APART = 0.002, 0.03  # of the size: where a ghost lies as the face does now, nothing is drawn
 TICK, KEY = 4.0, 7.0  # px of a frame on an arc, and of one with a key
 MOST_KEPT = 40
+SETTLED_S = 0.15
 
 _batches = {}
-_reading = []  # characters that are read as soon as Blender has time
+_waiting = {}  # what is done as soon as Blender has time, by name
 
 
 def forget():
     """Nothing is remembered."""
+    while _waiting:
+        _, waiting = _waiting.popitem()
+        if bpy.app.timers.is_registered(waiting):
+            bpy.app.timers.unregister(waiting)
     _batches.clear()
+    _Picture.obj, _Picture.times, _Picture.arcs, _Picture.ghosts = None, None, (), ()
     arcs.forget()
 
 
@@ -28,44 +34,60 @@ def color_of(away, opacity=1.0):
     return lines.srgb(BEFORE if away < 0 else AFTER if away > 0 else NOW, opacity)
 
 
-def draw(obj, scene, pen):
-    """The arcs and ghosts of a character."""
-    try:
-        times = arcs.Times(obj)
-    except LookupError:
-        _read_soon(obj.name)
-        return
-    except (drawing.Refused, drawing.Error, ReferenceError):
-        return
-    if pen.ghosts:
-        for ghost in arcs.ghosts_of(times, scene, pen):
-            _draw_ghost(times, ghost)
-    if pen.arcs:
-        for arc in arcs.arcs_of(times, scene, pen):
-            _draw_arc(arc, scene.frame_current)
+class _Picture:
+    """What was drawn last: of which object, the arcs, and ghosts with the Times they are of."""
+    obj, times, arcs, ghosts = None, None, (), ()
+
+
+def draw(obj, scene, pen, drawing_now=False):
+    """The arcs and ghosts of a character. `drawing_now`: while a stroke is drawn they stay as they are."""
+    if not drawing_now or _Picture.obj != obj.name:
+        try:
+            times = arcs.Times(obj)
+            _Picture.arcs = arcs.arcs_of(times, scene, pen) if pen.arcs else ()
+            _Picture.ghosts = arcs.ghosts_of(times, scene, pen) if pen.ghosts else ()
+        except LookupError:
+            _read_soon(obj.name)
+            return
+        except (drawing.Refused, drawing.Error, ReferenceError):
+            return
+        settled = _Picture.times is not None and np.array_equal(_Picture.times.now, times.now)
+        _Picture.obj, _Picture.times = obj.name, times
+        if not settled and _Picture.ghosts:
+            _soon(lines.redraw, SETTLED_S)
+    else:
+        settled = False
+    for ghost in _Picture.ghosts:
+        _draw_ghost(_Picture.times, ghost, settled)
+    for arc in _Picture.arcs:
+        _draw_arc(arc, scene.frame_current)
+
+
+def _soon(do, seconds):
+    """Does something once outside of drawing, where nothing may be read anew."""
+    def now():
+        _waiting.pop(do.__name__, None)
+        do()
+    if do.__name__ not in _waiting:
+        _waiting[do.__name__] = now
+        bpy.app.timers.register(now, first_interval=seconds)
 
 
 def _read_soon(name):
-    """Reads a character outside of drawing, where nothing may be measured."""
-    if name in _reading:
-        return
-    _reading.append(name)
-
     def read():
-        _reading.remove(name)
         obj = bpy.data.objects.get(name)
         try:
             if obj is not None:
                 drawing.known(obj)
-                obj.update_tag()
+                lines.redraw()
         except (drawing.Refused, drawing.Error):
             pass
-    bpy.app.timers.register(read, first_interval=0.01)
+    _soon(read, 0.01)
 
 
-def _draw_ghost(times, ghost):
+def _draw_ghost(times, ghost, settled):
     share = FADE ** (abs(ghost.away) - 1)
-    batch = _face(times, ghost, OPAQUE * share)
+    batch = _face(times, ghost, OPAQUE * share, settled)
     if batch is not None:
         gpu.state.face_culling_set('BACK')
         batch.draw(versions.smooth_shader())
@@ -75,9 +97,11 @@ def _draw_ghost(times, ghost):
         lines.line(shader, points, color_of(ghost.away, share))
 
 
-def _face(times, ghost, opaque):
-    """What of the face lies elsewhere then, as triangles; None where nothing does."""
+def _face(times, ghost, opaque, settled):
+    """What of the face lies elsewhere then, as triangles; None where nothing does. Takes ms: it is made where the pose has settled."""
     name = id(times.rig.character), ghost.pose.tobytes(), times.now.tobytes(), ghost.away
+    if name not in _batches and not settled:
+        return None
     if name not in _batches:
         if len(_batches) >= MOST_KEPT:
             _batches.clear()
@@ -96,7 +120,7 @@ def _face(times, ghost, opaque):
 
 
 def _draw_arc(arc, now):
-    middle = arc.frames.index(now)
+    middle = arc.frames.index(now) if now in arc.frames else len(arc.frames) // 2
     shader = lines.line_shader()
     for part, away in ((slice(0, middle + 1), -1), (slice(middle, None), 1)):
         if len(arc.points[part]) > 1:

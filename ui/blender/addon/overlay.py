@@ -34,7 +34,7 @@ def draw_curves():
     gpu.state.blend_set('ALPHA')
     gpu.state.depth_test_set('NONE')
     if (pen.arcs or pen.ghosts) and not context.screen.is_animation_playing:
-        over_time.draw(obj, context.scene, pen)
+        over_time.draw(obj, context.scene, pen, bool(_strokes))
     shader = lines.line_shader()
     for curve, points in drawing.places(obj, context.evaluated_depsgraph_get()):
         width = lines.CHOSEN_WIDTH if curve['id'] == pen.curve else lines.WIDTH

@@ -7,6 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
 from . import arcs, curves, drawing, overlay, preferences, pull, recording
 from .controls import Refused
 from .library import Error
+from .lines import redraw
 from .moment_stroke import MomentStroke
 from .rig import check
 from .space import seen_by
@@ -59,14 +60,6 @@ def begin_stroke(context, region, event, kind):
     finally:
         _touches.clear()
     return ''
-
-
-def redraw():
-    """All viewports show what is new. Areas are looked up at each use, for they may be closed at any time."""
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == 'VIEW_3D':
-                area.tag_redraw()
 
 
 def mesh_of(context):
