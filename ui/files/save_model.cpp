@@ -50,10 +50,15 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io
   constexpr double k_rounding = 1e-6;  // of the file's numbers; what is off by less needs no word
   if (say == SaveNotes::loud && (report.baked > 0 || report.bake_error > k_rounding)) {
     const int digits = report.bake_error < 1e-4 ? 6 : 3;
-    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": deformers are baked to " << report.baked
-              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * report.bake_error, digits)
-              << " % of the model's size";
-    if (report.bake_error > options.bake_tolerance) std::cerr << ", which is as near to the tolerance as it gets";
+    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": ";
+    if (report.baked > 0) {
+      std::cerr << "deformers are baked to " << report.baked << " morph targets more; no vertex is off by over ";
+    } else {
+      std::cerr << "eases are straight lines between keys on whole frames; no vertex is off by over ";
+    }
+    std::cerr << base::format_fixed(100 * report.bake_error, digits) << " % of the model's size";
+    if (report.baked > 0 && report.bake_error > options.bake_tolerance)
+      std::cerr << ", which is as near to the tolerance as it gets";
     std::cerr << '\n';
   }
   if (say == SaveNotes::loud && animated && report.targets > io::k_common_targets) {

@@ -37,6 +37,19 @@ Hermite hermite(double a, double out, double b, double in, double span_s, double
   return {value, slope};
 }
 
+/// The usual rate for which all keys lie on whole frames; 0: there is none.
+double rate_of_keys(std::span<const double> times_s) {
+  constexpr double k_off_frame = 1e-3;
+  constexpr std::array<double, 11> k_rates{
+      24, 25, 30, 12, 15, 50, 60, 120, 24000 / 1001.0, 30000 / 1001.0, 60000 / 1001.0};
+  const auto found = std::find_if(k_rates.begin(), k_rates.end(), [&](double rate) {
+    return std::all_of(times_s.begin(), times_s.end(), [&](double time_s) {
+      return std::abs(time_s * rate - std::round(time_s * rate)) <= k_off_frame;
+    });
+  });
+  return found == k_rates.end() ? 0 : *found;
+}
+
 class Densifier {
  public:
   Densifier(const document::Channel& channel, const GlbTargets& targets, double tolerance)
@@ -46,6 +59,7 @@ class Densifier {
         own_(targets.own_count()),
         cubic_(channel.interpolation == document::Interpolation::cubic_spline),
         straight_(cubic_ && channel.times_s.size() * targets.all().size() <= k_most_straightened),
+        fps_(straight_ && targets.all().size() == own_ ? rate_of_keys(channel.times_s) : 0),
         first_(straight_ ? 0 : own_) {
     const auto all = targets.all();
     for (std::size_t k = first_; k < all.size(); ++k) {
@@ -155,9 +169,15 @@ class Densifier {
     return std::sqrt(most);
   }
 
+  /// Half-way between two keys: on a whole frame where the channel's keys are.
+  [[nodiscard]] float middle_of(float from_s, float to_s) const {
+    const float middle = from_s + (to_s - from_s) / 2;
+    return fps_ > 0 ? static_cast<float>(std::round(static_cast<double>(middle) * fps_) / fps_) : middle;
+  }
+
   void fill(const Key& a, const Key& b, int halvings, DenseKeys& keys) {
     const double error = error_between(a, b);
-    const float middle = a.time_s + (b.time_s - a.time_s) / 2;
+    const float middle = middle_of(a.time_s, b.time_s);
     if (error <= tolerance_ || halvings == 0 || !(middle > a.time_s && middle < b.time_s)) {
       error_ = std::max(error_, error);
       return;
@@ -182,6 +202,7 @@ class Densifier {
   std::size_t own_;
   bool cubic_;
   bool straight_;
+  double fps_;         ///< all keys lie on whole frames of that rate; 0: they do not, or are not straightened
   std::size_t first_;  ///< of the targets that are looked at between keys: all of them, or those that are not its own
   std::vector<double> reach_;                 ///< one a target that is looked at: how far it moves a vertex
   std::vector<geometry::ModelVector> moved_;  ///< scratch, one a vertex

@@ -25,8 +25,9 @@ struct DenseKeys {
 /// Programs mix the weights of all targets alike from key to key, but those with the remaining motion of a deformer
 /// are not linear in its amount: keys are added half-way until no vertex is off by more than `tolerance` (model units)
 /// at any of several times in between, cubic splines drawn as straight lines (Blender's importer has tangents of its
-/// own), or until keys lie as close as 1/128 of what lay between them. Precondition: the channel is of weights and fits
-/// the targets. Splines of very many keys stay what they are.
+/// own), or until keys lie as close as 1/128 of what lay between them. Where no deformer is baked and the keys of a
+/// spline lie on whole frames, those that are added do so too, at most one a frame. Precondition: the channel is of
+/// weights and fits the targets. Splines of very many keys stay what they are.
 [[nodiscard]] DenseKeys dense_keys(const document::Channel& channel, const GlbTargets& targets, double tolerance);
 
 }  // namespace penpose::io
