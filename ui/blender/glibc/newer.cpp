@@ -1,6 +1,6 @@
-// Names that glibc has since a version after the one that is linked against, for what the compiler's archives ask for. Hidden: other
-// libraries of the same program have their own. Sources: the manual of glibc, "Dynamic Linker Introspection" and "Single-Threaded";
-// its NEWS of 2.32, 2.33 and 2.35.
+// Names that glibc has since a version after the one that is linked against, for what the compiler's archives ask for.
+// Hidden: other libraries of the same program have their own. Sources: the manual of glibc, "Dynamic Linker
+// Introspection" and "Single-Threaded"; its NEWS of 2.32, 2.33 and 2.35.
 #include <cstddef>
 #include <cstdint>
 #include <dlfcn.h>
@@ -9,7 +9,8 @@
 
 #pragma GCC visibility push(hidden)
 
-/// Debian's archives of libpng and libjpeg are made for programs: they read the variable itself, which may not be another library's then.
+/// Debian's archives of libpng and libjpeg are made for programs: they read the variable itself, which may not be
+/// another library's then.
 void* own_stderr asm("stderr") = nullptr;
 
 namespace {

@@ -1,0 +1,21 @@
+# Cross compiling the add-on's library for Windows with Debian's MinGW-w64. PENPOSE_SYSROOT, from the environment, is the folder that
+# ui/install/foreign_libraries.sh made with this file. What is built runs in Wine, where that is installed.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(triplet x86_64-w64-mingw32)
+set(root $ENV{PENPOSE_SYSROOT}/usr)
+# Threads as C++ has them: those of the other compiler are Windows' own alone.
+set(CMAKE_C_COMPILER ${triplet}-gcc-posix)
+set(CMAKE_CXX_COMPILER ${triplet}-g++-posix)
+set(CMAKE_RC_COMPILER ${triplet}-windres)
+find_program(wine NAMES wine64 PATHS /usr/lib/wine)
+if(wine)
+  set(CMAKE_CROSSCOMPILING_EMULATOR ${wine})
+endif()
+set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${root}/include)
+set(CMAKE_FIND_ROOT_PATH ${root})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ENV{PKG_CONFIG_LIBDIR} ${root}/lib/pkgconfig:${root}/share/pkgconfig)
