@@ -1,38 +1,13 @@
 #!/bin/sh
-# The add-on in a window that a mouse draws in: window.sh BLENDER ZIP MODEL [FOLDER]
-# Draws a smile on ict_face.glb under Xvfb, undoes and redoes it, leaves a stroke by Escape, and takes the add-on away in mid-stroke.
-# Screenshots before, during and after land in FOLDER as .xwd, where it is given. 77 without Xvfb or xdotool.
+# The add-on in a window that a mouse draws in: window.sh BLENDER ZIP MODEL
+# Draws a smile on ict_face.glb under Xvfb, undoes and redoes it, leaves a stroke by Escape, holds the key for the pen over another tool,
+# pulls a target and an arc, and takes the add-on away in mid-stroke. 77 without Xvfb or xdotool.
 here=$(cd "$(dirname "$0")" && pwd)
-for tool in Xvfb xdotool ${4:+xwd}; do
+for tool in Xvfb xdotool; do
     command -v "$tool" >/dev/null || { echo "$tool is not here"; exit 77; }
 done
-work=$(mktemp -d)
-shots=${4:-}
-mkdir "$work/commands" "$work/home"
-Xvfb -displayfd 3 -screen 0 1380x860x24 3>"$work/display" 2>/dev/null &
-server=$!
-for _ in $(seq 50); do [ -s "$work/display" ] && break; sleep 0.2; done
-DISPLAY=:$(cat "$work/display")
-export DISPLAY HOME="$work/home" LIBGL_ALWAYS_SOFTWARE=1
-unset WAYLAND_DISPLAY
-"$1" --window-geometry 0 0 1380 860 --python "$here/window.py" -- "$2" "$3" "$work/commands" >"$work/log" 2>&1 &
-blender=$!
+. "$here/desk.sh"
 failed=0
-
-end() {
-    kill "$blender" "$server" 2>/dev/null
-    wait 2>/dev/null
-    rm -rf "$work"
-    exit "$1"
-}
-
-tell() { # runs Python in Blender and prints what it does
-    rm -f "$work"/commands/c.out
-    cat >"$work/commands/c.new"
-    mv "$work/commands/c.new" "$work/commands/c.py"
-    for _ in $(seq 300); do [ -f "$work/commands/c.out" ] && break; sleep 0.1; done
-    cat "$work/commands/c.out"
-}
 
 state() { # the keys that moved, the curves, the strokes that are being drawn
     tell <<'PYTHON'
@@ -56,29 +31,37 @@ expect() { # what, the state it should be
     failed=1
 }
 
-press() { xdotool mousemove "$1" "$2"; sleep 0.4; xdotool mousedown 1; sleep 0.2; }
-move() { while [ $# -gt 1 ]; do xdotool mousemove "$1" "$2"; sleep 0.1; shift 2; done; sleep 0.5; }
-lift() { xdotool mouseup 1; sleep 1; }
-shot() { [ -d "$shots" ] || return 0; sleep 1; xwd -root -silent >"$shots/$1.xwd"; }
-mouth() { press 532 431; move 545 429 558 428 570 427 582 428 594 429 606 431; }
-smile() { press 520 415; move 532 420 545 425 558 428 570 429 582 428 594 425 606 420 619 415; }
+values() {
+    echo 'print([round(k.value, 4) for k in bpy.context.view_layer.objects.active.data.shape_keys.key_blocks])' | tell
+}
 
-for _ in $(seq 600); do
-    grep -q '^ready' "$work/log" && break
-    kill -0 "$blender" 2>/dev/null || { cat "$work/log"; end 1; }
-    sleep 0.2
-done
-sleep 3
-xdotool windowfocus "$(xdotool search --onlyvisible --name Blender | head -1)"
-shot before
+place_of_frame() { # where on the screen an arc has a frame
+    tell <<PYTHON
+from penpose_blender import arcs, pen
+obj = bpy.context.view_layer.objects.active
+region = view()['region']
+seen = pen.seen_in(region, view()['area'].spaces.active.region_3d, obj)
+times = arcs.Times(obj)
+arc = arcs.arcs_of(times, bpy.context.scene, bpy.context.window_manager.penpose)[-1]
+x, y = seen.places(seen.view.project(times.space.from_world(arc.points)))[arc.frames.index($1)]
+print(round(x + region.x), round(860 - y - region.y))
+PYTHON
+}
+
+keyed() { # the frames that have keys
+    tell <<'PYTHON'
+from penpose_blender import drawing, moments
+print([int(f) for f in moments.Moments(drawing.known(bpy.context.view_layer.objects.active).rig).keyed()])
+PYTHON
+}
+
+open_window "$@"
 mouth
 lift
 expect 'a reference is kept, and nothing moves' ' 1 0 0 True'
 smile
-shot during
 [ "$(state | cut -d' ' -f1)" = '' ] && { echo 'FAILED: nothing follows the pen'; failed=1; }
 lift
-shot after
 expect 'the corners of the mouth move' 'mouthSmile_L,mouthSmile_R 1 1 0 True'
 xdotool key ctrl+z
 expect 'one step of undo takes the target and the pose back' ' 1 0 0 True'
@@ -93,6 +76,54 @@ smile
 xdotool key Escape
 expect 'Escape leaves no trace' ' 1 0 0 True'
 lift
+echo 'with bpy.context.temp_override(**view()): bpy.ops.wm.tool_set_by_id(name="builtin.cursor")' | tell
+xdotool mousemove 540 330
+sleep 0.5
+xdotool keydown f
+sleep 0.5
+smile
+lift
+xdotool keyup f
+expect 'the pen draws over another tool while the key is held' 'mouthSmile_L,mouthSmile_R 1 1 0 True'
+echo 'with bpy.context.temp_override(**view()): bpy.ops.wm.tool_set_by_id(name="penpose.pen")' | tell
+values >"$work/before"
+press 570 429
+move 570 432 570 436 570 440
+lift
+values >"$work/after"
+cmp -s "$work/before" "$work/after" && { echo 'FAILED: the face does not follow a target that is pulled'; failed=1; }
+expect 'a target that is pulled is no new curve' "$(state | cut -d' ' -f1) 1 1 0 True"
+xdotool key ctrl+z
+sleep 2
+values >"$work/after"
+cmp -s "$work/before" "$work/after" || { echo 'FAILED: a pull is more than one step of undo'; failed=1; }
+tell <<'PYTHON'
+keys = bpy.context.view_layer.objects.active.data.shape_keys.key_blocks
+for frame, value in ((1, 0.0), (21, 1.0)):
+    keys['jawOpen'].value = value
+    keys['jawOpen'].keyframe_insert('value', frame=frame)
+bpy.context.scene.frame_set(11)
+bpy.ops.ed.undo_push(message='keys')
+bpy.context.window_manager.penpose.arcs = True
+PYTHON
+sleep 1
+set -- $(place_of_frame 15)
+press "$1" "$2"
+move "$1" $(($2 + 4)) "$1" $(($2 + 9)) "$1" $(($2 + 14))
+lift
+sleep 1
+case $(keyed) in
+    *1[456]*) echo 'ok: the frame below the pen, which is a px or two wide, is keyed' ;;
+    *) echo "FAILED: the arc is pulled, and nothing is keyed there: $(keyed)"; failed=1 ;;
+esac
+xdotool key ctrl+z
+sleep 2
+xdotool key ctrl+z
+sleep 1
+xdotool key ctrl+z
+sleep 1
+echo 'bpy.context.window_manager.penpose.arcs = False' | tell
+expect 'all of it is undone' ' 1 0 0 True'
 smile
 echo 'bpy.context.scene.frame_set(5)' | tell
 move 560 400

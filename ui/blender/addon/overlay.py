@@ -35,11 +35,11 @@ def draw_curves():
     gpu.state.depth_test_set('NONE')
     if (pen.arcs or pen.ghosts) and not context.screen.is_animation_playing:
         over_time.draw(obj, context.scene, pen, bool(_strokes))
-    shader = lines.line_shader()
+    shader, pulled = lines.line_shader(), [getattr(stroke, 'pulls', 0) for stroke in _strokes]
     for curve, points in drawing.places(obj, context.evaluated_depsgraph_get()):
         width = lines.CHOSEN_WIDTH if curve['id'] == pen.curve else lines.WIDTH
         lines.line(shader, points, lines.COLORS[curve['role']], width, FAINT if curve.get('off') else 1.0)
-        if 'target' in curve:
+        if 'target' in curve and curve['id'] not in pulled:
             lines.line(shader, drawing.target_places(obj, curve), lines.SHOULD_BE, width)
     gpu.state.depth_test_set('LESS_EQUAL')
     gpu.state.blend_set('NONE')

@@ -41,7 +41,7 @@ class Pull(drawing.Stroke):
 
     def __init__(self, obj, curve, seen):
         target = next(c for c in curves.curves(obj) if c['id'] == curve)
-        self.pulled_in, self.grabbed = seen, None
+        self.pulled_in, self.grabbed, self.pulls = seen, None, curve
         self.line = drawing.target_places(obj, target)
         view = curves.view_of_owner(drawing.known(obj).rig.surface, target.owner, View(**target['target']['view']))
         super().__init__(obj, 'target', Seen(view, (0, 0)), curve)
