@@ -74,8 +74,14 @@ std::vector<Composite> composites_of(const ControlFields& fields, const std::vec
   }
   const std::size_t n = used.size();
   std::vector<double> gram(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) gram[i * n + k] = gram[k * n + i] = fields.product(used[i], used[k]);
+  ControlFields::Spread ways;
+  for (std::size_t first = 0; first < n; first += ControlFields::k_together) {
+    const std::size_t count = std::min(ControlFields::k_together, n - first);
+    fields.spread(std::span(used).subspan(first, count), ways);
+    for (std::size_t k = 0; k < first + count; ++k) {
+      const auto products = fields.products(ways, used[k]);
+      for (std::size_t c = 0; c < count; ++c) gram[(first + c) * n + k] = gram[k * n + first + c] = products[c];
+    }
   }
   std::vector<bool> atoms(n, true);
   std::vector<Sum> sums(n);

@@ -65,4 +65,23 @@ double ControlFields::product(std::size_t a, std::size_t b) const {
   return sum;
 }
 
+void ControlFields::spread(std::span<const std::size_t> controls, Spread& ways) const {
+  ways.assign(samples_.size(), {});
+  for (std::size_t c = 0; c < std::min(controls.size(), k_together); ++c) {
+    const Moved& field = fields_[controls[c]];
+    for (std::size_t i = 0; i < field.samples.size(); ++i) ways[field.samples[i]][c] = field.ways[i];
+  }
+}
+
+// Sums side by side do not wait for each other.
+std::array<double, ControlFields::k_together> ControlFields::products(const Spread& ways, std::size_t other) const {
+  const Moved& field = fields_[other];
+  std::array<double, k_together> sums{};
+  for (std::size_t k = 0; k < field.samples.size(); ++k) {
+    const auto& here = ways[field.samples[k]];
+    for (std::size_t c = 0; c < k_together; ++c) sums[c] += glm::dot(here[c], field.ways[k]);
+  }
+  return sums;
+}
+
 }  // namespace penpose::intent

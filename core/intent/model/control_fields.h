@@ -43,6 +43,13 @@ class ControlFields {
   }
   /// Inner product of two fields.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const;
+  /// The ways of each sample by some controls, zero where one moves none: for products with many others. Those past
+  /// the last control move none.
+  static constexpr std::size_t k_together = 4;
+  using Spread = std::vector<std::array<ModelVector, k_together>>;
+  void spread(std::span<const std::size_t> controls, Spread& ways) const;
+  /// product(control, other) of each that was spread, to the bit.
+  [[nodiscard]] std::array<double, k_together> products(const Spread& ways, std::size_t other) const;
   /// The same as product(control, control - back), kept for the angles of one joint. Precondition: back is 1 or 2.
   [[nodiscard]] double product_with_last(std::size_t control, std::size_t back) const {
     return last_products_[control][back - 1];
