@@ -56,10 +56,11 @@ def _of_bone(graph, armature, bone, shaped):
         for axis in range(3):
             starts = [('channel', own, name, path, axis)]
             # Bones that only carry are turned; others are moved by what they are made for.
-            wanted = shaped or graph.feeds(starts) or path == 'location' and graph.is_followed(own, name)
+            wanted = shaped or graph.feeds([*starts, ('placed', own, name)]) or path == 'location' and graph.is_followed(own, name)
             if wanted and not locks[axis] and (path, axis) not in driven:
                 out.append((Channel(bone, path, axis, step, armature), starts))
-    return [Candidate(control, starts, place, graph.feeds(starts)) for control, starts in out]
+    ends = [('local', own, name), ('placed', own, name)]
+    return [Candidate(control, starts, place, graph.feeds(starts + ends)) for control, starts in out]
 
 
 def _of_object(graph, obj, size):
@@ -73,7 +74,7 @@ def _of_object(graph, obj, size):
             continue
         for axis in range(3):
             starts = [('channel', own, path, axis)]
-            fed = graph.feeds(starts)
+            fed = graph.feeds([*starts, ('local', own), ('placed', own)])
             if not locks[axis] and (path, axis) not in driven and (fed or path != 'scale' and graph.is_followed(own)):
                 out.append(Candidate(Channel(obj, path, axis, step), starts, obj.matrix_world.to_translation(), fed))
     return out

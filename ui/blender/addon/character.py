@@ -133,7 +133,7 @@ def _tie_all(objects):
 def parts_of(obj, view_layer=None):
     """The meshes of the character that a mesh is part of, hidden ones too; those that are seen come first, large before small."""
     view_layer = view_layer or bpy.context.view_layer
-    objects = [o for o in view_layer.objects if o.library is None]
+    objects = [o for o in view_layer.objects if o is not None and o.library is None]  # None: deleted just now
     if obj not in objects:
         return [obj]
     bound = _tie_all(objects)
@@ -152,7 +152,7 @@ def may_be_drawn_on(obj):
 def largest_of(armature, view_layer=None):
     """The mesh with the most faces of the character that an object (armature, empty, control) moves, or None."""
     view_layer = view_layer or bpy.context.view_layer
-    objects = [o for o in view_layer.objects if o.library is None]
+    objects = [o for o in view_layer.objects if o is not None and o.library is None]  # None: deleted just now
     if armature not in objects:
         return None
     bound = _tie_all(objects)

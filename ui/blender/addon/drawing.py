@@ -8,14 +8,15 @@ from . import across, keys, store, surface  # noqa: F401
 from . import curves as on_parts
 from .controls import Refused
 from .curves import change, curves, delete, kept_all, parts, places, put_back_all, target_places  # noqa: F401 what others draw and list
+from .finish import Aim, farthest, finish, siblings
 from .held import Held
-from .known import bring_curves, forget, in_step, known, of, said  # noqa: F401
+from .known import aims_of, bring_curves, forget, in_step, known, of, said  # noqa: F401
 from .library import Error, Preset, Role
 from .limits import character_of, chosen, make_override, overridable  # noqa: F401
 from .rig import give_back
 
+BETTER = 0.5  # of what one reading leaves: another one that leaves less is taken
 ROUNDS = 6  # after each a measured rig is measured again where it moved, and what locks and limits left is taken
-READINGS = 2  # of one drawing
 
 
 class Stroke:
@@ -130,48 +131,77 @@ class Stroke:
     def _settle(self, obj, px, pressure):
         def solve(character, numbers):
             character.draw_target(numbers[self.curve], self.seen.view, px, pressure)
-        settle(obj, self.known, solve)
+        settle(obj, self.known, solve, [Aim(self.curve, self.seen.view, px)])
 
 
 def _length(line):
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
 
 
-def settle(obj, one, solve):
-    """Solves for the character and shows it in Blender; again from there, with what moved, while Blender answers otherwise, for what is
-    measured holds near the pose it was measured at; and where that went far, once more with all controls."""
-    limit, wide = chosen(obj), False
-    for _ in range(READINGS):
-        more = one.rig.limit(limit, wide)
-        rounds, moved = _settle_once(obj, one, solve)
-        if not moved and more:
-            wide = True
-            bring_curves(one, obj)
-            one.rig.limit(limit, wide)
-            rounds, moved = _settle_once(obj, one, solve)
-        if not one.rig.measured or rounds < 2:
-            break
-        # A line that is drawn again where it lies is a correction that changes nothing; on curves that are new it is read.
+def settle(obj, one, solve, aims=()):
+    """Solves for the character and shows it in Blender. Where controls are measured, what is meant is brought to the lines, again from where
+    it went while Blender answers otherwise, for what is measured holds near the pose it was measured at. `aims`: of this stroke."""
+    rig, limit = one.rig, chosen(obj)
+    if not rig.measured:
+        rig.limit(limit)
+        solve(rig.character, one.numbers)
+        _settle_taken(rig, one, solve)
+        return
+    held = [Aim(c['id'], points=rig.character.positions(one.numbers[c['id']])) for c in curves(obj)
+            if c['role'] == 'constraint' and c['id'] in one.numbers]
+    own = {aim.curve for aim in aims}
+    every = [*aims, *held, *(aim for aim in aims_of(rig.surface, obj) if aim.curve not in own)]
+    kept = rig.kept()
+    more = rig.limit(limit)
+    moved = _read(obj, one, solve, every)
+    off = farthest(rig, one.numbers, aims)
+    if moved and off <= 1:
+        return
+    # The line asks for more: what carries all of it, from where it began, or others beside what moved.
+    for again in ([True] if more else []) + ([False] if moved else []):
+        first = rig.kept()
+        if again:
+            give_back(kept)
+        rig.measure(again=rig.same(moved))
+        bring_curves(one, obj)
+        rig.limit(limit, again)
+        moved_more = _read(obj, one, solve, every)
+        if moved_more and farthest(rig, one.numbers, aims) < BETTER * off:
+            return
+        give_back(first)
+        rig.measure(again=rig.same([*moved, *moved_more]))
         bring_curves(one, obj)
 
 
-def _settle_once(obj, one, solve):
-    """One reading of what is drawn. How often it was solved, and the controls that moved."""
-    moving = []
-    for number in range(ROUNDS if one.rig.answers_otherwise() else 1):
-        solve(one.rig.character, one.numbers)
-        moved = one.rig.apply(one.rig.character.pose)
-        if not moved or not one.rig.answers_otherwise() or one.rig.shows():
-            return number + 1, moving or moved
-        moving = moving or moved
-        if one.rig.measured:
-            one.rig.measure(again=moving)
-            bring_curves(one, obj)
-            moving = one.rig.same(moving)
-        else:
-            one.rig.take_pose()
-        one.rig.only(moving)
-    return ROUNDS, moving
+def _settle_taken(rig, one, solve):
+    for _ in range(ROUNDS):
+        moved = rig.apply(rig.character.pose)
+        if not moved or not rig.answers_otherwise() or rig.shows():
+            return
+        # Locks and limits left another pose.
+        rig.take_pose()
+        rig.only(moved)
+        solve(rig.character, one.numbers)
+
+
+def _read(obj, one, solve, aims):
+    """One reading of a measured rig: solved, and brought to the lines by what moves. The controls that moved."""
+    rig = one.rig
+    solve(rig.character, one.numbers)
+    moved = rig.is_moved()
+    for _ in range(ROUNDS if moved else 0):
+        meant = siblings(rig.found, moved)
+        # Keys and properties have no other ways: what the solver says of them stands.
+        pose = finish(rig, one.numbers, aims, meant) if len(meant) > len(moved) else rig.character.pose
+        if not rig.apply(pose) or rig.shows():
+            break
+        rig.measure(again=[m.control for m in meant])
+        bring_curves(one, obj)
+        moved = rig.same(moved)
+        if len(meant) == len(moved):
+            rig.only(moved)
+            solve(rig.character, one.numbers)
+    return moved
 
 
 def solve_again(obj, preset=Preset.DEFAULT):

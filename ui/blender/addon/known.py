@@ -5,6 +5,7 @@ import numpy as np
 from . import curves, held, store, versions
 from .character import armature_of, bone_above
 from .controls import Refused
+from .finish import Aim
 from .library import Error, Role, View
 from .rig import Rig, check
 
@@ -259,6 +260,20 @@ def _aim(rig, number, curve, count):
         return
     view = curves.view_of_owner(rig.surface, curve.owner, View(**target['view']))
     rig.character.draw_target(number, view, target['px'], target['pressure'] or None)
+
+
+def aims_of(surface, obj):
+    """Where the curves of a character should be: of those that have a target and are not left for now."""
+    out = []
+    for curve in curves.curves(obj):
+        target = curve.get('target')
+        if target is None or curve.get('off'):
+            continue
+        if 'points' in target:
+            out.append(Aim(curve['id'], points=curves.of_owner(surface, curve.owner, target['points'])))
+        else:
+            out.append(Aim(curve['id'], curves.view_of_owner(surface, curve.owner, View(**target['view'])), target['px']))
+    return out
 
 
 def said(obj):

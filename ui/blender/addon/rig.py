@@ -190,6 +190,11 @@ class Rig:
         """Lets only these controls move."""
         self._lock(lambda control: any(control is one for one in controls))
 
+    def is_moved(self):
+        """The controls that the character has elsewhere than Blender."""
+        off = np.abs(self.character.pose - np.clip(self.pose() - self.offsets, self.least, self.most)) > TINY
+        return [control for control, numbers, _ in self.parts if off[numbers].any()]
+
     def same(self, controls):
         """The controls that stand for earlier ones after they were measured again."""
         plain = [getattr(control, 'control', control) for control in controls]
