@@ -12,6 +12,7 @@ desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Euler, Matrix, Quaternion  # noqa: E402
 from penpose_blender import bones, drawing  # noqa: E402
+from penpose_blender.character import armature_of  # noqa: E402
 from penpose_blender.controls import Refused  # noqa: E402
 
 
@@ -237,6 +238,40 @@ class Rigs(made.Trial):
         self.assertEqual({k.name: k.value for k in over.data.shape_keys.key_blocks}, values)
         self.assertEqual(made.state_of(rig_over), pose)
         self.assertEqual(len(drawing.store.read(over)['curves']), 1)
+
+    def test_a_linked_collection_is_overridden(self):
+        obj = made.plate()
+        made.add_key(obj, 'up', (0, 0, 0.4), middle=(0, 0.5))
+        teeth = made.plate('Teeth', 7)
+        made.add_key(teeth, 'up', (0, 0, 0.4))
+        teeth.location.y = 1
+        made.activate(obj)
+        armature = made.bones(obj)
+        obj.parent = teeth.parent = armature
+        group = bpy.data.collections.new('Character')
+        bpy.context.scene.collection.children.link(group)
+        for one in (obj, teeth, armature):
+            group.objects.link(one)
+            bpy.context.scene.collection.objects.unlink(one)
+        path = os.path.join(desk.SCRATCH, 'collection.blend')
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        made.empty_file()
+        with bpy.data.libraries.load(path, link=True) as (_, to):
+            to.collections = ['Character']
+        empty = bpy.data.objects.new('Stands for it', None)
+        empty.instance_type, empty.instance_collection = 'COLLECTION', to.collections[0]
+        bpy.context.scene.collection.objects.link(empty)
+        made.activate(empty)
+        self.assertEqual(drawing.overridable(bpy.context), empty)
+        over = drawing.make_override(bpy.context)
+        self.assertIsNone(drawing.overridable(bpy.context))
+        self.assertIsNotNone(over.override_library)
+        self.assertEqual(len(drawing.parts(over)), 2)
+        for bone in armature_of(over).pose.bones:
+            bone.lock_rotation = (True, True, True)
+        self.good(self.keys_drawn(over, 'up', 0.7))
+        self.assertEqual({round(o.data.shape_keys.key_blocks['up'].value, 6) for o in drawing.parts(over)},
+                         {round(over.data.shape_keys.key_blocks['up'].value, 6)})
 
 
 if __name__ == '__main__':

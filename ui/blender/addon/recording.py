@@ -5,16 +5,20 @@ import bpy
 from bpy.props import StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from . import drawing
+from . import drawing, versions
 from .controls import Refused
 from .library import Error
 
-_records = {}  # folder and name of the session, by the object's name
+_records = {}  # folder and name of the session, by the uid of the character's first mesh
 
 
 def recorded(obj):
     """The path that the drawing on an object is recorded into, or None."""
-    return _records.get(obj.name) if obj is not None else None
+    return _records.get(_key(obj)) if obj is not None and obj.type == 'MESH' else None
+
+
+def _key(obj):
+    return versions.uid(drawing.parts(obj)[0])
 
 
 def begin(obj, path):
@@ -30,7 +34,7 @@ def begin(obj, path):
     with open(model, 'wb') as f:
         f.write(drawing.become_its_file(obj))
     one.rig.character.record(os.path.basename(model))
-    _records[obj.name] = stem + '.session'
+    _records[_key(obj)] = stem + '.session'
     note(obj)
 
 
@@ -44,7 +48,7 @@ def note(obj):
         text = one.rig.character.recorded
     except Error:
         # The rig was read again: what is recorded from here on is another session.
-        _records.pop(obj.name)
+        _records.pop(_key(obj))
         raise Refused('the rig of %s changed, so that its record ended; %s holds what was drawn until then' % (obj.name, path)) from None
     with open(path + '.new', 'wb') as f:
         f.write(text)
@@ -53,7 +57,7 @@ def note(obj):
 
 def end(obj):
     """Records no more."""
-    return _records.pop(obj.name, None)
+    return _records.pop(_key(obj), None)
 
 
 def end_all():
