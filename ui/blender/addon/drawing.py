@@ -204,9 +204,9 @@ def _read(obj, one, solve, aims):
     return moved
 
 
-def solve_again(obj, preset=Preset.DEFAULT):
-    """Brings all curves to their targets from the pose as it is. The controls that moved."""
-    one = known(obj, wholly=True)
+def solve_again(obj, preset=Preset.DEFAULT, wholly=True):
+    """Brings all curves to their targets from the pose as it is. `wholly`: as of known(). The controls that moved."""
+    one = known(obj, wholly)
     one.rig.take_pose()
     kept = one.rig.kept()
     settle(obj, one, lambda character, numbers: character.solve(preset))

@@ -76,7 +76,7 @@ def _rounded(matrix):
 
 def _places(points):
     """Some of them, for all are many."""
-    return tuple(tuple(points[i].co) for i in range(0, len(points), max(1, len(points) // 50)))
+    return tuple(tuple(points[i].co) for i in range(0, len(points), max(1, len(points) // 12)))
 
 
 def shapes(obj):

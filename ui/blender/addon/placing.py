@@ -28,4 +28,4 @@ def place_target(obj, curve, points):
 
 def solve(obj, preset=Preset.DEFAULT):
     """Brings all references to their targets from the pose as it is, and keys what moved. The controls that moved."""
-    return drawing.solve_again(obj, preset)
+    return drawing.solve_again(obj, preset, wholly=False)

@@ -154,6 +154,7 @@ class Rig:
         self.offsets = np.array([value for control, _, _ in self.parts for value in _listed(control.rest())])
         limits = self.character.parameters
         self.least, self.most = np.array([p.minimum for p in limits]), np.array([p.maximum for p in limits])
+        self.names, self.locked = [p.name for p in limits], [False] * len(limits)
         self._lock()
 
     def holds(self):
@@ -169,12 +170,13 @@ class Rig:
         return bool((values >= self.least - TINY).all() and (values <= self.most + TINY).all())
 
     def _lock(self, may_move=None):
-        names = [p.name for p in self.character.parameters]
         for control, numbers, free in self.parts:
             free = free and (may_move is None or may_move(control))
             held = [True] * len(numbers) if not free else [False] if len(numbers) == 1 else control.locked()
             for number, locked in zip(numbers, held):
-                self.character.lock(names[number], locked)
+                if self.locked[number] != bool(locked):
+                    self.character.lock(self.names[number], bool(locked))
+                    self.locked[number] = bool(locked)
 
     def limit(self, chosen, wide=False):
         """Lets only the chosen controls move (candidates.selected()); None: all. `wide`: also those that carry much more than what is
@@ -217,6 +219,7 @@ class Rig:
             if data == before:
                 break
             self.character = Character.read(data, 'model.glb')
+            self.locked = [False] * len(self.names)
             self._lock()
         return data
 
