@@ -23,7 +23,7 @@ def hit(obj, place, seen, scale=1.0):
 
 def _line(obj, curve, seen):
     """A target as a view shows it, px of the region (n, 2); None where it lies behind."""
-    space = drawing.known(obj).rig.mesh.space
+    space = drawing.known(obj, measured=False).rig.space()
     try:
         return seen.places(seen.view.project(space.from_world(drawing.target_places(obj, curve))))
     except drawing.Error:
