@@ -9,7 +9,7 @@ import zipfile
 
 import numpy
 
-if not hasattr(numpy, 'bool'):
+if numpy.__version__ < '2':
     numpy.bool = bool  # Debian's importer is older than its numpy
 import addon_utils  # noqa: E402
 import bpy  # noqa: E402

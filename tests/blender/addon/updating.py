@@ -53,7 +53,19 @@ def use():
     key.value = 0
     placing.place_target(obj, curve, aim)
     placing.solve(obj)
+    if not bpy.app.background:
+        pen_in_hand()
     return key.value
+
+
+def pen_in_hand():
+    """The windows are drawn with the tool, its panel and the curves."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(a for a in window.screen.areas if a.type == 'VIEW_3D')
+    with bpy.context.temp_override(window=window, area=area, region=next(r for r in area.regions if r.type == 'WINDOW')):
+        bpy.context.space_data.show_region_ui = True
+        bpy.ops.wm.tool_set_by_id(name='penpose.pen')
+        bpy.ops.wm.redraw_timer(type='DRAW_WIN_SWAP', iterations=1)
 
 
 class Updating(unittest.TestCase):
@@ -169,5 +181,17 @@ class Updating(unittest.TestCase):
         self.told(self.said.getvalue())
 
 
+def in_window():
+    """From a timer, once windows are drawn."""
+    try:
+        trial.main('updating')
+    finally:
+        os._exit(1)
+
+
 if __name__ == '__main__':
-    trial.main(__name__)
+    if bpy.app.background:
+        trial.main(__name__)
+    bpy.context.preferences.view.show_splash = False
+    # What a script of the command line defines is gone when it has ended.
+    bpy.app.timers.register(importlib.import_module('updating').in_window, first_interval=2)
