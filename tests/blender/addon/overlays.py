@@ -14,7 +14,7 @@ import made  # noqa: E402
 from mathutils import Quaternion  # noqa: E402
 from penpose_blender import arcs, curves, drawing, keys, moments, pull  # noqa: E402
 from penpose_blender.controls import Refused  # noqa: E402
-from penpose_blender.moment_stroke import MomentStroke  # noqa: E402
+from penpose_blender.moment_stroke import MomentStroke, stroke_at  # noqa: E402
 
 LAST = 21
 SAME = 1e-4  # of the mesh's size
@@ -189,6 +189,60 @@ class Overlays(unittest.TestCase):
     def middle(self, line):
         """The px in the middle of a line."""
         return line[len(line) // 2]
+
+    # Rigs whose controls are measured.
+
+    def driven(self):
+        """The key goes by a property, which is animated with a turn of the bone."""
+        drawing.delete(self.obj)
+        self.armature['lift'] = 0.0
+        made.drive(self.obj.data.shape_keys, 'key_blocks["up"].value', self.armature, '["lift"]', 'x * x')
+        for frame, value, turn in ((1, 0, 0), (11, 1, 0.3), (LAST, 0, 0)):
+            self.armature['lift'] = float(value)
+            self.armature.keyframe_insert('["lift"]', frame=frame)
+            self.high.rotation_quaternion = Quaternion((1, 0, turn, 0)).normalized()
+            self.high.keyframe_insert('rotation_quaternion', frame=frame)
+        self.scene.frame_set(1)
+        desk.draw(self.obj, 'reference', self.shown, self.begin)
+        self.scene.frame_set(5)
+        self.assertTrue(drawing.known(self.obj).rig.measured)
+
+    def test_measured_rigs_are_looked_at(self):
+        self.driven()
+        times, before = self.times(), self.state()
+        self.assertEqual(arcs.arcs_of(times, self.scene, self.pen), [])
+        self.assertEqual(times.missing, arcs.frames_around(self.scene, self.pen))
+        times.shapes.looked.look(times.missing)
+        self.assertEqual(self.state(), before, 'each channel has what it had, to the bit')
+        times = self.times()
+        arc = arcs.arcs_of(times, self.scene, self.pen)[0]
+        self.assertEqual(times.missing, [])
+        lines = {frame: times.line(1, frame) for frame in (3, 8, 11)}
+        for frame, ours in lines.items():
+            self.scene.frame_set(frame)
+            bpy.context.view_layer.update()
+            _, theirs = drawing.places(self.obj, bpy.context.evaluated_depsgraph_get())[0]
+            self.assertLess(float(np.abs(ours - theirs).max()), 1e-5)
+            self.assertLess(float(np.abs(arc.points[arc.frames.index(frame)] - theirs[len(theirs) // 2]).max()), 1e-5)
+
+    def test_measured_rigs_are_drawn_on_there(self):
+        self.driven()
+        line, wanted, kept = self.drawn(11), self.drawn(8), self.obj['penpose']
+        stroke = stroke_at(self.obj, 'ghost', 1, 11, self.shown)
+        self.assertEqual(self.scene.frame_current, 11)
+        for place in wanted:
+            stroke.add(place)
+            stroke.follow()
+        self.assertTrue(stroke.end(self.obj))
+        self.assertEqual((self.scene.frame_current, self.obj['penpose']), (5, kept))
+        self.assertLess(made._apart(self.drawn(11), wanted), 0.3 * made._apart(line, wanted))
+        before = self.state()
+        stroke = stroke_at(self.obj, 'arc', 1, 8, self.shown)
+        stroke.add((500, 500))
+        stroke.add((500, 530))
+        stroke.follow()
+        stroke.cancel(self.obj)
+        self.assertEqual(self.state(), before)
 
     # Pulling a target.
 

@@ -22,33 +22,49 @@ class Arc:
 
 
 class Ghost:
-    """The face on another frame: `away` counts ghosts from now (-1: the one before), `lines` are [(curve, (n, 3) of the world)]."""
+    """The face on another frame: `away` counts ghosts from now (-1: the one before), `vertices` (n, 3) of the character, `lines`
+    [(curve, (n, 3) of the world)]."""
 
-    def __init__(self, frame, away, pose, lines):
-        self.frame, self.away, self.pose, self.lines = frame, away, pose, lines
+    def __init__(self, frame, away, vertices, lines):
+        self.frame, self.away, self.vertices, self.lines = frame, away, vertices, lines
 
 
 class Times:
-    """What is known of a character over time; made anew for each picture."""
+    """What is known of a character over time; made anew for each picture. `missing`: frames that have to be looked at first."""
 
     def __init__(self, obj):
         one = drawing.of(obj)
         if one is None or not one.rig.parts or one.kept is None:
             raise LookupError(obj.name)  # it is not read yet
         self.rig, self.numbers, self.space = one.rig, one.numbers, one.rig.mesh.space
-        self.moments = Moments(self.rig)
+        self.moments, self.shapes, self.missing = Moments(self.rig), shapes_of(one), []
         self.now = np.clip(self.rig.pose() - self.rig.offsets, self.rig.least, self.rig.most)
-        self.shapes = shapes_of(one)
         self.curves = {c['id']: c for c in curves.curves(obj) if c['role'] == 'reference' and c['id'] in self.numbers}
 
+    def vertices(self, frame):
+        """All vertices on a frame (n, 3), in the character's space; None where nobody looked yet."""
+        if not self.rig.measured:
+            return self.shapes.vertices(self.moments.pose(frame))
+        found = self.shapes.looked.get(frame)
+        if found is None and frame not in self.missing:
+            self.missing.append(frame)
+        return found
+
+    def here(self):
+        """All vertices as they are now."""
+        return self.shapes.vertices(self.now)
+
     def line(self, curve, frame):
-        """Where a curve is on a frame (n, 3), in the world."""
-        return self.space.to_world(self.shapes.curve(self.numbers[curve], self.moments.pose(frame)))
+        """Where a curve is on a frame (n, 3), in the world; None where nobody looked yet."""
+        if not self.rig.measured:
+            return self.space.to_world(self.shapes.curve(self.numbers[curve], self.moments.pose(frame)))
+        vertices = self.vertices(frame)
+        return None if vertices is None else self.space.to_world(self.shapes.on(self.numbers[curve], vertices))
 
 
 def shapes_of(one):
     """What is remembered of a known character at poses."""
-    stamp = one.rig, tuple(one.numbers.items())
+    stamp = one.rig.character, tuple(one.numbers.items())
     kept = _seen.get('shapes')
     if kept is None or kept.stamp[0] is not stamp[0] or kept.stamp[1] != stamp[1]:
         kept = _seen['shapes'] = Shapes(one.rig)
@@ -81,24 +97,28 @@ def arcs_of(times, scene, pen):
     """The arcs of all references, without those that stay where they are: of the middle, and of the ends where those travel farther."""
     frames, keyed, out = frames_around(scene, pen), set(times.moments.keyed()), []
     for curve in times.curves:
-        ways = np.array([times.line(curve, f)[_told_of(times, curve)] for f in frames])
-        middle, *ends = (float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum()) for way in ways.transpose(1, 0, 2))
-        for way, travels in zip(ways.transpose(1, 0, 2), (True, *(end > middle for end in ends))):
+        found = [(f, line) for f, line in ((f, times.line(curve, f)) for f in frames) if line is not None]
+        if len(found) < 2:
+            continue
+        ways = np.array([line[_told_of(line)] for _, line in found]).transpose(1, 0, 2)
+        middle, *ends = (float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum()) for way in ways)
+        for way, travels in zip(ways, (True, *(end > middle for end in ends))):
             if travels and np.ptp(way, axis=0).max() > STILL * max(STILL, np.abs(way).max()):
-                out.append(Arc(curve, frames, way, [f in keyed for f in frames]))
+                out.append(Arc(curve, [f for f, _ in found], way, [f in keyed for f, _ in found]))
     return out
 
 
-def _told_of(times, curve):
-    count = times.shapes.curve(times.numbers[curve], times.now).shape[0]
-    return [count // 2, 0, count - 1]
+def _told_of(line):
+    return [len(line) // 2, 0, len(line) - 1]
 
 
 def ghosts_of(times, scene, pen):
     """The ghosts, the farthest first."""
     out = []
     for frame, away in ghost_frames(times, scene, pen):
-        out.append(Ghost(frame, away, times.moments.pose(frame), [(c, times.line(c, frame)) for c in times.curves]))
+        vertices = times.vertices(frame)
+        if vertices is not None:
+            out.append(Ghost(frame, away, vertices, [(c, times.line(c, frame)) for c in times.curves]))
     return sorted(out, key=lambda ghost: -abs(ghost.away))
 
 

@@ -86,3 +86,60 @@ class MomentStroke:
         give_back(kept)
         scene.frame_set(scene.frame_current, subframe=scene.frame_subframe)
         arcs.forget()
+
+
+class StrokeThere(drawing.Stroke):
+    """The same on a rig whose controls are measured near the pose that is shown: its frame is shown while the stroke is drawn."""
+
+    def __init__(self, obj, way, curve, frame, seen):
+        self.way, self.frame, self.grabbed = way, frame, None
+        scene = bpy.context.scene
+        self.back = scene.frame_current
+        scene.frame_set(int(frame), subframe=frame % 1)
+        try:
+            super().__init__(obj, 'target', seen, curve)
+        except (Refused, Error):
+            scene.frame_set(self.back)
+            raise
+        self.drawn = drawing.kept_all(obj)
+        self.start = seen.view.project(self.rig.character.positions(self.known.numbers[curve]))
+
+    def add(self, place, pressure=1.0):
+        """A place of the region."""
+        if self.way != 'arc':
+            super().add(place, pressure)
+            return
+        px = self.seen.px([place])[0]
+        if np.isfinite(px).all():
+            self.grabbed = px if self.grabbed is None else self.grabbed
+            self.px = list(self.start + (px - self.grabbed))
+            self.pressure = [1.0] * len(self.px)
+
+    def cancel(self, obj):
+        """Leaves no trace."""
+        super().cancel(obj)
+        bpy.context.scene.frame_set(self.back)
+
+    def end(self, obj):
+        """Keys what moves there. The controls that moved."""
+        moved = super().end(obj)
+        drawing.put_back_all(self.drawn)  # the curve's own target is of the frame where one was
+        rules, said, scene = keys.Rules(bpy.context.scene).for_all(), self.known.said, bpy.context.scene
+        when = Moments(self.known.rig)
+        unmoved = [control for control in moved if not when.is_animated(control)]
+        now = [(control, control.kept()) for control in unmoved]
+        give_back([one for one in self.kept if one[0] in unmoved])
+        for frame in when.neighbours(self.frame) if unmoved else ():
+            keys.insert(unmoved, rules, frame, said)
+        for control, value in now:
+            control.give_back(value)
+        self.keyed = keys.insert(moved, rules, self.frame, said)
+        scene.frame_set(self.back)
+        arcs.forget()
+        return moved
+
+
+def stroke_at(obj, way, curve, frame, seen):
+    """A stroke on another frame."""
+    kind = StrokeThere if drawing.known(obj).rig.measured else MomentStroke
+    return kind(obj, way, curve, frame, seen)

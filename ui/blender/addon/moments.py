@@ -5,6 +5,7 @@ import numpy as np
 
 from . import keys, versions
 from .controls import TINY
+from .looked import Looked
 
 MOST_KEPT = 200  # poses of which curves or vertices are remembered
 
@@ -114,7 +115,15 @@ class Shapes:
     """Places of a character at poses, remembered by pose: of its curves, and of all vertices."""
 
     def __init__(self, rig):
-        self.rig, self.character, self.kept = rig, rig.character.copy(), {}
+        self.rig, self.character, self.kept, self.looked = rig, rig.character.copy(), {}, Looked(rig)
+        self.corners = None
+
+    def on(self, number, vertices):
+        """The points (n, 3) of a curve where vertices are given."""
+        triangles, shares = self._remembered(number, None, lambda: self.character.points(number))
+        corners = self.character.triangles if self.corners is None else self.corners
+        self.corners = corners
+        return np.einsum('ij,ijk->ik', shares, vertices[corners[triangles]])
 
     def curve(self, number, pose):
         """The points (n, 3) of a curve of the character, in its space."""
@@ -130,6 +139,7 @@ class Shapes:
         if name not in self.kept:
             if len(self.kept) >= MOST_KEPT:
                 self.kept.clear()
-            self.character.pose = pose
+            if pose is not None:
+                self.character.pose = pose
             self.kept[name] = find()
         return self.kept[name]

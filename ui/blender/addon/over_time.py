@@ -12,7 +12,7 @@ OPAQUE = 0.25  # of the nearest ghost's face, where it lies well apart from the 
 HERE, APART = 0.002, 0.03  # of the size: where a ghost lies as the face does now, nothing is drawn
 TICK, KEY = 4.0, 7.0  # px of a frame on an arc, and of one with a key
 MOST_KEPT = 40
-SETTLED_S = 0.15
+SETTLED_S, NEXT_S = 0.15, 0.02
 
 _batches = {}
 _waiting = {}  # what is done as soon as Blender has time, by name
@@ -51,6 +51,8 @@ def draw(obj, scene, pen, drawing_now=False):
             return
         except (drawing.Refused, drawing.Error, ReferenceError):
             return
+        if times.missing:
+            _look_soon(times, scene.frame_current)
         settled = _Picture.times is not None and np.array_equal(_Picture.times.now, times.now)
         _Picture.obj, _Picture.times = obj.name, times
         if not settled and _Picture.ghosts:
@@ -85,6 +87,19 @@ def _read_soon(name):
     _soon(read, 0.01)
 
 
+def _look_soon(times, now):
+    """Looks at one frame after the other, the nearest first, so that Blender answers meanwhile."""
+    def look():
+        from .overlay import is_drawing
+        try:
+            if not is_drawing():
+                times.shapes.looked.look([min(times.missing, key=lambda frame: abs(frame - now))])
+                lines.redraw()
+        except (drawing.Refused, drawing.Error, ReferenceError):
+            pass
+    _soon(look, NEXT_S if times.shapes.looked.kept else SETTLED_S)
+
+
 def _draw_ghost(times, ghost, settled):
     share = FADE ** (abs(ghost.away) - 1)
     batch = _face(times, ghost, OPAQUE * share, settled)
@@ -99,13 +114,14 @@ def _draw_ghost(times, ghost, settled):
 
 def _face(times, ghost, opaque, settled):
     """What of the face lies elsewhere then, as triangles; None where nothing does. Takes ms: it is made where the pose has settled."""
-    name = id(times.rig.character), ghost.pose.tobytes(), times.now.tobytes(), ghost.away
-    if name not in _batches and not settled:
-        return None
-    if name not in _batches:
+    name = id(ghost.vertices), times.now.tobytes(), ghost.away
+    kept, batch = _batches.get(name, (None, None))
+    if kept is ghost.vertices:
+        return batch
+    if settled:
         if len(_batches) >= MOST_KEPT:
             _batches.clear()
-        there, here = times.shapes.vertices(ghost.pose), times.shapes.vertices(times.now)
+        there, here = ghost.vertices, times.here()
         away = np.linalg.norm(there - here, axis=1) / np.linalg.norm(np.ptp(here, axis=0))
         share = np.clip((away - HERE) / (APART - HERE), 0, 1)
         triangles = times.shapes.character.triangles
@@ -113,10 +129,12 @@ def _face(times, ghost, opaque, settled):
         colors = np.empty((len(there), 4), dtype=np.float32)
         colors[:] = color_of(ghost.away)
         colors[:, 3] = opaque * share
-        _batches[name] = batch_for_shader(
+        batch = batch_for_shader(
             versions.smooth_shader(), 'TRIS', {'pos': times.space.to_world(there).astype(np.float32), 'color': colors},
             indices=np.ascontiguousarray(triangles, dtype=np.int32)) if len(triangles) else None
-    return _batches[name]
+        _batches[name] = ghost.vertices, batch
+        return batch
+    return None
 
 
 def _draw_arc(arc, now):

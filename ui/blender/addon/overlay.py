@@ -18,6 +18,11 @@ def show_stroke(stroke, region=None, earlier=()):
     _region[0] = region.as_pointer() if region is not None else 0
 
 
+def is_drawing():
+    """Whether a stroke is being drawn."""
+    return bool(_strokes)
+
+
 def _shown(context):
     from .pen import mesh_of
     obj = mesh_of(context)
@@ -34,7 +39,7 @@ def draw_curves():
     gpu.state.blend_set('ALPHA')
     gpu.state.depth_test_set('NONE')
     if (pen.arcs or pen.ghosts) and not context.screen.is_animation_playing:
-        over_time.draw(obj, context.scene, pen, bool(_strokes))
+        over_time.draw(obj, context.scene, pen, is_drawing())
     shader, pulled = lines.line_shader(), [getattr(stroke, 'pulls', 0) for stroke in _strokes]
     for curve, points in drawing.places(obj, context.evaluated_depsgraph_get()):
         width = lines.CHOSEN_WIDTH if curve['id'] == pen.curve else lines.WIDTH

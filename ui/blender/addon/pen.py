@@ -8,7 +8,7 @@ from . import arcs, curves, drawing, overlay, preferences, pull, recording
 from .controls import Refused
 from .library import Error
 from .lines import redraw
-from .moment_stroke import MomentStroke
+from .moment_stroke import stroke_at
 from .rig import check
 from .space import seen_by
 
@@ -115,7 +115,7 @@ def next_stroke(obj, kind='AUTO', curve=0):
 
 def seen_in(region, rv3d, obj):
     """How a region shows an object."""
-    space = drawing.known(obj).rig.mesh.space
+    space = drawing.known(obj, measured=False).rig.space()
     around = obj.matrix_world @ (sum((drawing.corner(c) for c in obj.bound_box), drawing.corner((0, 0, 0))) / 8)
     return seen_by(rv3d.view_matrix, rv3d.window_matrix, region.width, region.height, space, around)
 
@@ -165,6 +165,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         """The pen touches: the stroke begins. Whether it does."""
         try:
             self.stroke = self._begun(context, event, region, obj)
+            self.frame = context.scene.frame_current
         except (Refused, Error) as problem:
             self.report({'ERROR'}, str(problem))
             return False
@@ -186,7 +187,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
             if moment or pulled:
                 self.kind_drawn = 'target'
                 nearer = moment and (pulled is None or moment[0] < pulled[0])
-                return MomentStroke(obj, *moment[1:], seen) if nearer else pull.Pull(obj, pulled[1], seen)
+                return stroke_at(obj, *moment[1:], seen) if nearer else pull.Pull(obj, pulled[1], seen)
         return drawing.Stroke(obj, self.kind_drawn, seen, curve)
 
     def _say(self, context):
