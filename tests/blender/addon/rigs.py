@@ -239,6 +239,25 @@ class Rigs(made.Trial):
         self.assertEqual(made.state_of(rig_over), pose)
         self.assertEqual(len(drawing.store.read(over)['curves']), 1)
 
+    def test_another_rig_that_is_followed_and_linked(self):
+        other = made.plate('Prop')
+        path = os.path.join(desk.SCRATCH, 'prop.blend')
+        armature = made.bones(other, 'Prop rig')
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        del armature
+        made.empty_file()
+        obj = made.plate()
+        own = made.bones(obj)
+        with bpy.data.libraries.load(path, link=True) as (_, to):
+            to.objects = ['Prop rig']
+        bpy.context.scene.collection.objects.link(to.objects[0])
+        follow = own.pose.bones['low'].constraints.new('COPY_LOCATION')
+        follow.target, follow.subtarget, follow.influence = to.objects[0], 'low', 0.5
+        bpy.context.view_layer.update()
+        line = made.row(obj)
+        there = self.turned(own, obj, (0, 0, 0.3))[line]
+        self.good(made.Drawn(obj, line, there), near=False, shown=False)
+
     def test_a_linked_collection_is_overridden(self):
         obj = made.plate()
         made.add_key(obj, 'up', (0, 0, 0.4), middle=(0, 0.5))

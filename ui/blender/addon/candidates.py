@@ -105,7 +105,7 @@ def candidates(graph, objects, size):
         out.append(Candidate(control, starts, None, False))
     out += _properties(graph)
     for armature in graph.armatures:
-        for bone in touchable(armature):
+        for bone in touchable(armature) if armature.library is None else ():
             out += _of_bone(graph, armature, bone, bone.custom_shape is not None)
     for obj in graph.others:
         if graph.surface.part_of(obj) is None:

@@ -70,9 +70,9 @@ class Rig:
         self.objects = [o for o in objects if o not in seen]
         self.surface = Surface(seen)
         self.graph = Graph(self.surface)
-        for armature in self.graph.armatures:
-            _check_armature(obj, armature)
         armatures = [a for a in self.graph.armatures if any(taken.carriers_of(o, a) for o in seen)]
+        for armature in armatures:
+            _check_armature(obj, armature)
         self.measured, self.took_s, self.left = taken.acts_between(self.surface, armatures, self.graph.driven), 0.0, 0
         self.shown, self.found, self.broad = None, None, []
         self.name = obj.name
