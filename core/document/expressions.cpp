@@ -81,7 +81,55 @@ std::string_view preset_of(std::string_view expression_name) {
   return preset == nullptr ? std::string_view() : preset->name;
 }
 
+namespace {
+
+constexpr double k_binary_from = 0.5;
+
+double shown_alone(const Expression& expression, double weight) {
+  return expression.is_binary ? (weight > k_binary_from ? 1.0 : 0.0) : weight;
+}
+
+/// What an expression at a weight does to others of a name.
+ExpressionOverride override_of(const Expression& expression, std::string_view preset) {
+  constexpr std::array<std::string_view, 5> k_mouths{"aa", "ih", "ou", "ee", "oh"};
+  if (preset.starts_with("blink")) return expression.blink;
+  if (preset.starts_with("look")) return expression.look;
+  return std::find(k_mouths.begin(), k_mouths.end(), preset) != k_mouths.end() ? expression.mouth
+                                                                               : ExpressionOverride::none;
+}
+
+double left_by(ExpressionOverride does, double weight) {
+  if (does == ExpressionOverride::block) return weight > 0 ? 0.0 : 1.0;
+  return does == ExpressionOverride::blend ? std::clamp(1.0 - weight, 0.0, 1.0) : 1.0;
+}
+
+}  // namespace
+
+std::vector<double> shown_weights(const Model& model, std::span<const double> weights) {
+  std::vector<double> shown;
+  for (std::size_t i = 0; i < model.expressions.size(); ++i)
+    shown.push_back(shown_alone(model.expressions[i], weights[i]));
+  const std::vector<double> alone = shown;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::string_view preset = preset_of(model.expressions[i].name);
+    for (std::size_t k = 0; !preset.empty() && k < shown.size(); ++k) {
+      if (k != i) shown[i] *= left_by(override_of(model.expressions[k], preset), alone[k]);
+    }
+  }
+  return shown;
+}
+
 void set_expression(const Model& model, const Expression& expression, double weight, rig::Pose& pose) {
+  weight = shown_alone(expression, weight);
+  for (const Expression& other : model.expressions) {
+    const std::string_view preset = preset_of(other.name);
+    const double left = other.name == expression.name ? 1.0 : left_by(override_of(expression, preset), weight);
+    if (left == 1.0) continue;
+    for (const auto& [parameter, value] : other.values) {
+      const double rest = model.rig->parameters()[parameter].rest;
+      pose[parameter] = rest + left * (pose[parameter] - rest);
+    }
+  }
   for (const auto& [parameter, value] : expression.values) {
     const rig::Parameter& range = model.rig->parameters()[parameter];
     pose[parameter] = std::clamp(weight * value, range.minimum, range.maximum);

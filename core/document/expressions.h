@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +25,12 @@ namespace penpose::document {
 /// "blinkLeft" for "Blink_L". Empty: it is none of them.
 [[nodiscard]] std::string_view preset_of(std::string_view expression_name);
 
-/// Puts the targets of an expression where it has them at a weight of 0..1, within their ranges; others stay.
+/// The weights that are shown of the weights that expressions have, one each: those of binary ones are 0 or 1, and
+/// those that others override give way (VRMC_vrm 1.0, "Procedural Override").
+[[nodiscard]] std::vector<double> shown_weights(const Model& model, std::span<const double> weights);
+
+/// Puts the targets of an expression where it has them at a weight of 0..1, within their ranges. What expressions that
+/// it overrides move goes to rest, as far as it overrides them; others stay.
 void set_expression(const Model& model, const Expression& expression, double weight, rig::Pose& pose);
 
 /// The expressions for other parameters, found by their names in `before`; values of those that are gone are left out,

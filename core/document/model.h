@@ -55,10 +55,18 @@ struct Animation {
   std::vector<Channel> channels;
 };
 
+/// What an expression does to the expressions of a kind while it is shown: nothing, all of them go, or as much of them
+/// as it is shown (VRMC_vrm 1.0, "ExpressionOverrideType").
+enum class ExpressionOverride : std::uint8_t { none, block, blend };
+
 /// A pose with a name over some controls, as VRM's expressions are: no control of its own.
 struct Expression {
   std::string name;
   std::vector<std::pair<std::size_t, double>> values;  ///< parameters of the rig and their values
+  bool is_binary = false;                              ///< shown wholly from a weight above 0.5 on, else not at all
+  /// To the expressions of the mouth (aa, ih, ou, ee, oh), of blinks and of looks.
+  ExpressionOverride mouth = ExpressionOverride::none, blink = ExpressionOverride::none,
+                     look = ExpressionOverride::none;
 };
 
 struct Look;

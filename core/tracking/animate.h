@@ -19,10 +19,10 @@ struct AnimateOptions {
   std::optional<bool> apply_head;      ///< the head's turn becomes part of the animation; by default as the map says
   std::optional<std::size_t> neutral;  ///< frame, from 0, in which the face is at rest; by default one of a clip of
                                        ///< points, and none of a clip of values
-  std::optional<double> tremor_px;  ///< 0..1000, as animation::TrackSetup
-  double smooth_s = 0;              ///< 0..60, as animation::smooth_over_time
-  double least_confidence = 0.2;    ///< 0..1; frames below are held
-  double fps = 0;                   ///< 0.1..10000: the track is seen at so many even frames a second; 0: at its own
+  std::optional<double> tremor_px;     ///< 0..1000, as animation::TrackSetup
+  double smooth_s = 0;                 ///< 0..60, as animation::smooth_over_time
+  double least_confidence = 0.2;       ///< 0..1; frames below are held
+  double fps = 0;                      ///< 0.1..10000: the track is seen at so many even frames a second; 0: at its own
   double stretch = 0;  ///< 0.1..10000: its frames follow each other at that rate, whatever their times; 0: their times
   bool units = false;  ///< action units of the track are evidence beside its points
   std::vector<io::VertexCurve> curves;  ///< of the model, that the map may name beside the model's own

@@ -39,9 +39,9 @@ class Finder {
  public:
   explicit Finder(const document::Model& model) : model_(model) {}
 
-  void add(std::size_t parameter, double gain) {
-    const auto same = [&](const DrivenControl& one) { return one.parameter == parameter; };
-    if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back({parameter, gain});
+  void add(const DrivenControl& control) {
+    const auto same = [&](const DrivenControl& one) { return one.parameter == control.parameter; };
+    if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(control);
   }
 
   /// By its own name: a control's, or an expression's; on the side that is asked for, or on none.
@@ -51,12 +51,12 @@ class Finder {
       if (add_named(sided, gain)) return true;
     }
     const auto own = rig::controls_named(model_.rig->parameters(), name);
-    for (const std::size_t p : own) add(p, gain);
+    for (const std::size_t p : own) add({p, gain});
     if (!own.empty()) return true;
     const auto expressions = document::expressions_named(model_, name);
     for (const std::size_t one : expressions) {
       for (const auto& [p, value] : model_.expressions[one].values)
-        add(p, gain * (value - model_.rig->parameters()[p].rest));
+        add({p, gain * (value - model_.rig->parameters()[p].rest), one, gain});
     }
     return !expressions.empty();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@ namespace penpose::tracking {
 struct DrivenControl {
   std::size_t parameter = 0;
   double gain = 1;
+  /// The expression whose value it is, with how much of that a value of 1 is; nothing: a control by itself.
+  std::optional<std::size_t> expression = std::nullopt;
+  double share = 1;
 };
 
 /// What a name of a track drives: the controls of that name (rig::controls_named), or what the model's expression of

@@ -164,13 +164,15 @@ class Player {
     struct Played {
       const Channel* weights;
       std::vector<std::pair<std::size_t, double>> values;
+      std::optional<std::size_t> expression = std::nullopt;
     };
     std::vector<Played> played;
     std::vector<const Channel*> channels;
     for (const io::ExpressionMotion& one : motion_.expressions) {
-      Played now{&one.weights, {}};
+      Played now{&one.weights, {}, {}};
       if (const auto expression = document::expression_named(model_, one.name)) {
         now.values = model_.expressions[*expression].values;
+        now.expression = expression;
       } else {
         for (const std::size_t c : rig::controls_named(model_.rig->parameters(), one.name))
           now.values.emplace_back(c, 1.0);
@@ -192,9 +194,17 @@ class Player {
     if (channel.times_s.size() > k_most_numbers / std::max(width, played.size())) return too_many();
     for (const double time : channel.times_s) {
       std::map<std::size_t, double> sums;
+      std::vector<double> weights;
+      std::vector<double> of_expressions(model_.expressions.size(), 0.0);
       for (const Played& one : played) {
         const auto sampled = document::sample_channel(*one.weights, 1, time);
-        const double weight = sampled.empty() ? 0.0 : std::clamp(sampled[0], 0.0, 1.0);
+        weights.push_back(sampled.empty() ? 0.0 : std::clamp(sampled[0], 0.0, 1.0));
+        if (one.expression) of_expressions[*one.expression] = weights.back();
+      }
+      const std::vector<double> shown = document::shown_weights(model_, of_expressions);
+      for (std::size_t p = 0; p < played.size(); ++p) {
+        const Played& one = played[p];
+        const double weight = one.expression ? shown[*one.expression] : weights[p];
         for (const auto& [parameter, value] : one.values) sums[parameter] += weight * value;
       }
       for (std::size_t i = 0; i < width; ++i) {

@@ -7,6 +7,7 @@
 #include "core/base/math.h"
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
+#include "core/document/expressions.h"
 #include "core/geometry/rotation.h"
 #include "core/io/tracks/track_formats.h"
 #include "core/io/tracks/vmd/shift_jis.h"
@@ -54,6 +55,26 @@ std::optional<std::size_t> control_cut_off(const document::Model& model, const s
   return found;
 }
 
+double value_of(const Drive& drive, double value) {
+  return drive.response == nullptr ? value : responded(*drive.response, value);
+}
+
+/// How much is shown of each expression's weight in a frame: binary ones and those that others override differ.
+std::vector<double> shown_shares(const document::Model& model, const std::vector<std::vector<Drive>>& controls,
+                                 const std::vector<double>& values) {
+  std::vector<double> weights(model.expressions.size(), 0.0);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    for (const Drive& one : controls[i]) {
+      if (!one.to.expression) continue;
+      double& weight = weights[*one.to.expression];
+      weight = std::max(weight, one.to.share * value_of(one, values[i]));
+    }
+  }
+  std::vector<double> shares = document::shown_weights(model, weights);
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = weights[i] > 0 ? shares[i] / weights[i] : 1.0;
+  return shares;
+}
+
 /// What a column drives, and whether its name says at least that nothing moves.
 struct Column {
   std::vector<Drive> drives;
@@ -67,6 +88,7 @@ Column column_named(const document::Model& model, const io::MapFile& map, const 
       column.known = column.known || is_driven(model, target.control);
       for (DrivenControl one : driven_controls(model, target.control)) {
         one.gain *= target.gain;
+        one.share *= target.gain;
         column.drives.push_back({one, target.offset, target.response.empty() ? nullptr : &target.response});
       }
     }
@@ -148,13 +170,15 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
     if (!frame.found) result.held.push_back(f);
     // Of several columns that drive a control the one that moves it farther counts.
     if (frame.found) std::fill(driven.begin(), driven.end(), 0.0);
+    const std::vector<double> shown = frame.found ? shown_shares(model, controls, frame.values) : std::vector<double>();
     for (std::size_t i = 0; frame.found && i < controls.size(); ++i) {
       for (const Drive& one : controls[i]) {
         const std::size_t c = one.to.parameter;
         const rig::Parameter& range = model.rig->parameters()[c];
         const double base = one.to.gain == 1 ? 0 : range.rest;
-        const double value = one.response == nullptr ? frame.values[i] : responded(*one.response, frame.values[i]);
-        const double wanted = base + one.offset + one.to.gain * value;
+        const double value = value_of(one, frame.values[i]);
+        const double wanted =
+            base + one.offset + one.to.gain * value * (one.to.expression ? shown[*one.to.expression] : 1.0);
         const bool first = driven[c] == 0;
         if (!first && !(std::abs(wanted - range.rest) > driven[c] - 1)) continue;
         driven[c] = 1 + std::abs(wanted - range.rest);

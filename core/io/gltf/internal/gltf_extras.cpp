@@ -244,7 +244,14 @@ json::Json write_root_extras(const document::Model& model, const std::vector<std
   for (const document::Expression& one : model.expressions) {
     json::Json values = json::Json::object();
     for (const auto& [parameter, value] : one.values) values[model.rig->parameters()[parameter].name] = value;
-    own["expressions"].push_back({{"name", one.name}, {"values", std::move(values)}});
+    json::Json kept = {{"name", one.name}, {"values", std::move(values)}};
+    if (one.is_binary) kept["isBinary"] = true;
+    for (const auto& [name, does] : {std::pair("overrideMouth", one.mouth), std::pair("overrideBlink", one.blink),
+                                     std::pair("overrideLookAt", one.look)}) {
+      if (does != document::ExpressionOverride::none)
+        kept[name] = does == document::ExpressionOverride::block ? "block" : "blend";
+    }
+    own["expressions"].push_back(std::move(kept));
   }
   for (std::size_t b = 0; b < document::k_human_bones; ++b) {
     const auto bone = static_cast<document::HumanBone>(b);

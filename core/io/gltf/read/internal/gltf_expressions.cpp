@@ -61,7 +61,7 @@ class Expressions {
         const double weight = json::number(value).value_or(0);
         if (shape != shape_of.end() && std::abs(weight) <= 100) weights[{shape->second, 0}] = weight;
       }
-      add_shape(name->get<std::string>(), nullptr, weights);
+      if (add_shape(name->get<std::string>(), nullptr, weights)) read_ways(one, result_.back());
     }
   }
 
@@ -78,8 +78,21 @@ class Expressions {
           const json::Json* list = json::find(expression, other);
           colours_ = colours_ || (list != nullptr && list->is_array() && !list->empty());
         }
-        add_shape(name, binds, weights);
+        if (add_shape(name, binds, weights)) read_ways(expression, result_.back());
       }
+    }
+  }
+
+  /// How an expression is shown: members of VRMC_vrm 1.0, which penpose keeps by the same names.
+  static void read_ways(const json::Json& from, document::Expression& to) {
+    using enum document::ExpressionOverride;
+    const json::Json* binary = json::find(from, "isBinary");
+    to.is_binary = binary != nullptr && binary->is_boolean() && binary->get<bool>();
+    for (const auto& [name, member] : {std::pair("overrideMouth", &to.mouth), std::pair("overrideBlink", &to.blink),
+                                       std::pair("overrideLookAt", &to.look)}) {
+      const json::Json* does = json::find(from, name);
+      if (does == nullptr || !does->is_string()) continue;
+      *member = *does == "block" ? block : *does == "blend" ? blend : none;
     }
   }
 
@@ -95,7 +108,8 @@ class Expressions {
       add_binds(binds, name.empty() ? "without a name" : name, "mesh", 0.01, weights);
       const json::Json* materials = json::find(group, "materialValues");
       colours_ = colours_ || (materials != nullptr && materials->is_array() && !materials->empty());
-      if (!name.empty()) add_shape(name, binds, weights);
+      if (name.empty() || !add_shape(name, binds, weights)) continue;
+      read_ways(group, result_.back());
     }
   }
 
@@ -153,7 +167,8 @@ class Expressions {
     return owned_by + " has no morph target " + std::to_string(target);
   }
 
-  void add_shape(const std::string& name, const json::Json* binds, const Weights& weights) {
+  /// Returns whether the expression is kept, as the last one.
+  bool add_shape(const std::string& name, const json::Json* binds, const Weights& weights) {
     const std::string valid = base::valid_utf8(name);
     std::map<std::size_t, double> of_shape;
     for (const auto& [target, weight] : weights) {
@@ -162,16 +177,19 @@ class Expressions {
     }
     std::erase_if(of_shape, [](const auto& one) { return one.second == 0.0; });
     // Those without binds are common: they change colours, or nothing at all.
-    if (of_shape.empty() && (binds == nullptr || !binds->is_array() || binds->empty())) return;
+    if (of_shape.empty() && (binds == nullptr || !binds->is_array() || binds->empty())) return false;
     std::string problem;
     if (of_shape.empty()) problem = "it moves nothing";
     if (result_.size() == k_most_expressions) problem = "there are over 1000";
     if (problem.empty() && !names_.insert(valid).second) problem = "another has its name";
     if (!problem.empty()) {
       if (++unused_ <= 20) document_.notes.push_back("expression " + valid + " is left out: " + problem);
-      return;
+      return false;
     }
-    result_.push_back({valid, {of_shape.begin(), of_shape.end()}});
+    document::Expression& kept = result_.emplace_back();
+    kept.name = valid;
+    kept.values.assign(of_shape.begin(), of_shape.end());
+    return true;
   }
 
   GltfDocument& document_;

@@ -33,6 +33,29 @@ TEST(GltfExpressions, OfBothVersionsArePosesOfTheirTargets) {
   }
 }
 
+TEST(GltfExpressions, KeepHowTheyAreShown) {
+  auto sample = tests::morph_sample();
+  sample.json["extensions"]["VRMC_vrm"]["expressions"]["preset"]["happy"] = {
+      {"morphTargetBinds", {{{"node", 0}, {"index", 0}, {"weight", 0.5}}}},
+      {"isBinary", true},
+      {"overrideMouth", "block"},
+      {"overrideBlink", "blend"},
+      {"overrideLookAt", "none"}};
+  sample.json["extensionsUsed"] = {"VRMC_vrm"};
+  const auto model = sample.read().value();
+  // In a file that is no avatar they are kept, too.
+  auto bare = model;
+  bare.source = nullptr;
+  const auto again = read_gltf(write_glb(bare).value()).value();
+  for (const auto* one : {&model, &again}) {
+    ASSERT_EQ(one->expressions.size(), 1U);
+    EXPECT_TRUE(one->expressions[0].is_binary);
+    EXPECT_EQ(one->expressions[0].mouth, document::ExpressionOverride::block);
+    EXPECT_EQ(one->expressions[0].blink, document::ExpressionOverride::blend);
+    EXPECT_EQ(one->expressions[0].look, document::ExpressionOverride::none);
+  }
+}
+
 TEST(GltfExpressions, BindsThatNameNothingAreNoted) {
   auto sample = tests::morph_sample();
   sample.json["extensions"]["VRMC_vrm"]["expressions"]["preset"] = {
