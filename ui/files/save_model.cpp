@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/base/text/shown_text.h"
+#include "core/io/gltf/write/plain_textures.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"
 #include "ui/files/files.h"
@@ -66,6 +67,18 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
   if (auto beside = save_beside(report, path); !beside) return beside;
+  if (options.plain_textures) {
+    const std::string extension = base::lower_case(std::filesystem::path(path).extension().string());
+    if (extension != ".glb" && extension != ".vrm")
+      return base::Error{"plain textures are written into a .glb or .vrm file alone", "", "name the output .glb"};
+    std::vector<std::string> notes;
+    const auto plain = io::with_plain_textures(*bytes, notes);
+    if (!plain) return plain.error();
+    for (const std::string& note : notes) warn(note, path);
+    if (auto written = write_file(path, *plain); !written || say == SaveNotes::quiet) return written;
+    for (const std::string& note : report.notes) warn(note, path);
+    return base::Done{};
+  }
   if (auto written = write_file(path, *bytes); !written || say == SaveNotes::quiet) return written;
   for (const std::string& note : report.notes) warn(note, path);
   return base::Done{};

@@ -28,7 +28,8 @@ struct WriteOptions {
   double bake_tolerance = 1e-4;
   double fps = 60;        ///< frames a second of formats that give every frame
   std::string stem = {};  ///< what files beside a .gltf are named after; write_model takes that of the file itself
-  bool bare = false;      ///< nothing of the file that the model was read from, but what penpose knows
+  bool plain_textures = false;  ///< WebP images of a .glb or .vrm file become PNG, for programs that read no WebP
+  bool bare = false;            ///< nothing of the file that the model was read from, but what penpose knows
 };
 /// What came of it, for whoever wants to say so.
 struct WriteReport {

@@ -109,6 +109,8 @@ void add_options(const Command& command, ConvertArguments& arguments) {
   command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
       .check(number_range(0.1, 1000.0), "0.1 to 1000")
       .show_default();
+  command.add_flag("--plain-textures", arguments.write.plain_textures,
+                   "Write WebP textures as PNG, for programs that read no WebP (Blender before 4.0)");
   add_orientation_options(command, arguments.orientation);
   add_tolerance_option(command, arguments.write);
 }
