@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 from penpose_blender import space
 
-CONTROLS, CARRIERS, MECHANISM = 0, 29, 30  # layers
+CONTROLS, CARRIERS, MECHANISM = 0, 29, 30  # layers; from 4.0 on collections of these numbers
 # Handles by their places (x, z), and the chains of carriers between them.
 HANDLES = {'lips.L': (0.35, -0.4), 'lip.T.L.001': (0.18, -0.35), 'lip.T': (0, -0.33), 'lip.B.L.001': (0.18, -0.46), 'lip.B': (0, -0.48),
            'brow.T.L': (0.65, 0.5), 'brow.T.L.001': (0.5, 0.56), 'brow.T.L.002': (0.35, 0.57), 'brow.T.L.003': (0.2, 0.52),
@@ -81,7 +81,10 @@ def rig(obj):
         one = data.edit_bones.new(name)
         one.head, one.tail, one.use_deform = start, end, carries
         one.parent = data.edit_bones[parent] if parent else None
-        one.layers = [i == layer for i in range(32)]
+        if hasattr(one, 'layers'):
+            one.layers = [i == layer for i in range(32)]
+        else:
+            (data.collections.get(str(layer)) or data.collections.new(str(layer))).assign(one)
     bone('torso', (0, 0.5, -8), (0, 0.5, -6))
     bone('DEF-torso', (0, 0.5, -8), (0, 0.5, -6), 'torso', CARRIERS, True)
     bone('head', (0, 0.5, -1.5), (0, 0.5, -0.5), 'torso')
@@ -101,7 +104,11 @@ def rig(obj):
         bone('ORG-%s.%d' % (chain, i), *ends, 'head', MECHANISM)
         bone('DEF-%s.%d' % (chain, i), *ends, 'ORG-%s.%d' % (chain, i), CARRIERS, True)
     bpy.ops.object.mode_set(mode='OBJECT')
-    data.layers = [i == CONTROLS for i in range(32)]
+    if hasattr(data, 'layers'):
+        data.layers = [i == CONTROLS for i in range(32)]
+    else:
+        for collection in data.collections:
+            collection.is_visible = collection.name == str(CONTROLS)
     _constrain(armature, pieces)
     _weigh(obj, armature)
     obj.modifiers.new('Armature', 'ARMATURE').object = armature

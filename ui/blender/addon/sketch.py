@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, StringProperty
 
-from . import drawing, overlay
+from . import drawing, overlay, versions
 from .controls import Refused
 from .library import Character, Error
 from .pen import begin, ended, mesh_of, redraw, region_below, running, why_not
@@ -61,8 +61,8 @@ def make_key(obj, lines, views, name='', mode='AUTO'):
                      target_view=views['target'], mode=mode.lower())
     moved = mesh.space.to_object(character.evaluate([1]) - mesh.rest)
     if obj.data.shape_keys is None:
-        obj.shape_key_add(name='Basis', from_mix=False)
-    key = obj.shape_key_add(name=name, from_mix=False)
+        versions.new_key(obj, 'Basis')
+    key = versions.new_key(obj, name)
     out = np.empty(3 * len(mesh.rest), dtype=np.float32)
     obj.data.shape_keys.reference_key.data.foreach_get('co', out)
     key.data.foreach_set('co', (out.reshape(-1, 3) + moved).astype(np.float32).ravel())

@@ -117,12 +117,19 @@ def key_options(options):
 
 
 # Sessions number their blocks for good since 4.1; until then an address stands for the number, which undo keeps for what it leaves.
-LASTING_UID = hasattr(bpy.types.ID, 'session_uid')
+LASTING_UID = 'session_uid' in bpy.types.ID.bl_rna.properties
 
 
 def uid(block):
     """What tells a data-block from all others of the session, whatever its name."""
     return block.session_uid if LASTING_UID else block.as_pointer()
+
+
+def new_key(obj, name):
+    """A shape key of the mesh as it is, which does nothing yet. 5.0 makes keys that act at once."""
+    key = obj.shape_key_add(name=name, from_mix=False)
+    key.value = 0
+    return key
 
 
 def bone_seen(armature, pose_bone):
