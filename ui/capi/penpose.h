@@ -387,10 +387,10 @@ typedef struct penpose_animate_options {
   double tremor_px; /* how far points shake, 0..1000; -1: 1, less for small faces */
   double smooth_s;  /* smooths over so many seconds to each side, 0..60 */
   double least_confidence; /* frames of less are held, 0..1 */
-  double fps;     /* keys at so many even frames a second, 0.1..10000; the length stays; 0: the times of the track */
-  double stretch; /* frames follow each other at this rate, 0.1..10000, whatever the track says; 0: its times */
-  double picture[2];       /* width and height of the video, px, for normalised coordinates; 0, 0: unknown */
-  const char* curves;      /* JSON of curves of the model that the map may name; NULL: the model's own alone */
+  double fps;        /* keys at so many even frames a second, 0.1..10000; the length stays; 0: the times of the track */
+  double stretch;    /* frames follow each other at this rate, 0.1..10000, whatever the track says; 0: its times */
+  double picture[2]; /* width and height of the video, px, for normalised coordinates; 0, 0: unknown */
+  const char* curves; /* JSON of curves of the model that the map may name; NULL: the model's own alone */
 } penpose_animate_options;
 #define PENPOSE_ANIMATE_DEFAULTS \
   { PENPOSE_HEAD_AS_MAP, 0, -1, -1.0, 0.0, 0.2, 0.0, 0.0, {0.0, 0.0}, NULL }

@@ -146,7 +146,8 @@ base::Result<std::vector<std::uint8_t>> unpack_meshopt(base::Bytes stream, const
                          ? meshopt_decodeIndexBuffer(bytes.data(), count, stride, stream.data(), stream.size())
                          : meshopt_decodeIndexSequence(bytes.data(), count, stride, stream.data(), stream.size());
   if (failed == k_meshopt_left_out) {
-    return no_stream("the file is compressed by meshopt, which this build does not unpack", "export it without compression");
+    return no_stream("the file is compressed by meshopt, which this build does not unpack",
+                     "export it without compression");
   }
   if (failed != 0) return no_stream("the meshopt stream is cut off or damaged", k_copy_again);
   apply(layout.filter, stride, bytes);
