@@ -35,8 +35,15 @@ class Stroke:
         if kind == 'target':
             self.curve = self._curve(obj, of)
             self.chosen = chosen(obj)
-            self.more = self.rig.limit(self.chosen)
-            self.live = self.rig.character.live(self.known.numbers[self.curve], seen.view)
+            self._read_by(obj, False)
+
+    def _read_by(self, obj, wide):
+        self.more = self.known.limit(obj, self.chosen, wide)
+        self.live = self.known.reader.character.live(self.known.reader.numbers[self.curve], self.seen.view)
+        self.pose = self.rig.character.pose
+
+    def _follow(self):
+        return self.known.reader.whole(self.pose, self.live.follow(np.array(self.px)))
 
     def _curve(self, obj, of):
         references = [c for c in curves(obj) if c['role'] == 'reference']
@@ -66,12 +73,11 @@ class Stroke:
         """Moves the rig as far as the target is drawn; the pose."""
         if self.live is None or len(self.px) < 2:
             return None
-        pose = self.live.follow(np.array(self.px)).copy()
+        pose = self._follow()
         if self.more and len(self.px) > 2 and self.followed is not None and np.array_equal(pose, self.followed) and self._is_far():
             # What is near cannot follow: what carries it may.
-            self.more = self.rig.limit(self.chosen, True)
-            self.live = self.rig.character.live(self.known.numbers[self.curve], self.seen.view)
-            pose = self.live.follow(np.array(self.px)).copy()
+            self._read_by(self.held.get(), True)
+            pose = self._follow()
         self.rig.apply(pose, self.followed)
         self.followed = pose
         return pose
@@ -143,7 +149,7 @@ def settle(obj, one, solve, aims=()):
     it went while Blender answers otherwise, for what is measured holds near the pose it was measured at. `aims`: of this stroke."""
     rig, limit = one.rig, chosen(obj)
     if not rig.measured:
-        rig.limit(limit)
+        one.limit(obj, limit)
         solve(rig.character, one.numbers)
         _settle_taken(rig, one, solve)
         return
@@ -152,7 +158,7 @@ def settle(obj, one, solve, aims=()):
     own = {aim.curve for aim in aims}
     every = [*aims, *held, *(aim for aim in aims_of(rig.surface, obj) if aim.curve not in own)]
     kept = rig.kept()
-    more = rig.limit(limit)
+    more = one.limit(obj, limit)
     moved = _read(obj, one, solve, every)
     off = farthest(rig, one.numbers, aims)
     if moved and off <= 1:
@@ -164,7 +170,7 @@ def settle(obj, one, solve, aims=()):
             give_back(kept)
         rig.measure(again=rig.same(moved))
         bring_curves(one, obj)
-        rig.limit(limit, again)
+        one.limit(obj, limit, again)
         moved_more = _read(obj, one, solve, every)
         if moved_more and farthest(rig, one.numbers, aims) < BETTER * off:
             return
@@ -187,7 +193,7 @@ def _settle_taken(rig, one, solve):
 def _read(obj, one, solve, aims):
     """One reading of a measured rig: solved, and brought to the lines by what moves. The controls that moved."""
     rig = one.rig
-    solve(rig.character, one.numbers)
+    _solve(one, solve)
     moved = rig.is_moved()
     for _ in range(ROUNDS if moved else 0):
         meant = siblings(rig.found, moved)
@@ -199,9 +205,14 @@ def _read(obj, one, solve, aims):
         bring_curves(one, obj)
         moved = rig.same(moved)
         if len(meant) == len(moved):
-            rig.only(moved)
-            solve(rig.character, one.numbers)
+            one.read_by(obj, rig.numbers_of(moved))
+            _solve(one, solve)
     return moved
+
+
+def _solve(one, solve):
+    solve(one.reader.character, one.reader.numbers)
+    one.rig.character.pose = one.reader.whole(one.rig.character.pose)
 
 
 def solve_again(obj, preset=Preset.DEFAULT, wholly=True):

@@ -7,6 +7,7 @@ from .character import armature_of, bone_above
 from .controls import Refused
 from .finish import Aim
 from .library import Error, Role, View
+from .reader import Reader, part_of
 from .rig import Rig, check
 
 LONG = 2.0  # s that measuring takes without being told
@@ -51,6 +52,27 @@ class Known:
         if rig.took_s > LONG or rig.left:
             self.said.append('measuring what %d controls of %s do took %.1f s%s; lock or hide bones that you do not draw with' % (
                 len(rig.parts), obj.name, rig.took_s, ', and %d more were left out' % rig.left if rig.left else ''))
+
+    def limit(self, obj, chosen, wide=False):
+        """Rig.limit(), and makes the `reader` of it. Whether controls are left out that carry more."""
+        at, more = self.rig.limit(chosen, wide)
+        self.read_by(obj, at)
+        return more
+
+    def read_by(self, obj, at):
+        """Lines are read by these parameters."""
+        rig = self.rig
+        if len(at) == len(rig.names):
+            self.reader = Reader(rig.character, slice(None), self.numbers)
+            return
+        self.reader = Reader(part_of(rig, at), at, {})
+        for curve in curves.curves(obj):
+            if curve['id'] in self.numbers:
+                triangles, shares = rig.character.points(self.numbers[curve['id']])
+                number = self.reader.character.curve_of(triangles, shares, _role(curve))
+                self.reader.numbers[curve['id']] = number
+                _aim(rig, self.reader.character, number, curve, len(triangles), [])
+        self.reader.character.pose = rig.character.pose[at]
 
     def covers(self, obj):
         """Whether the curves lie where it was measured for."""
@@ -207,13 +229,9 @@ def bring_curves(one, obj):
             _lay(rig.surface, obj, curve, points)
         if not points or curve.get('off'):
             continue
-        role = Role.CONSTRAINT if curve['role'] == 'constraint' else Role.REFERENCE
-        number = rig.character.curve_of(np.array([t for t, _ in points], dtype=np.uint32), np.array([s for _, s in points]), role)
+        number = rig.character.curve_of(np.array([t for t, _ in points], dtype=np.uint32), np.array([s for _, s in points]), _role(curve))
         one.numbers[curve['id']] = number
-        try:
-            _aim(rig, number, curve, len(points))
-        except Error as problem:
-            one.said.append('curve %d: %s' % (curve['id'], problem))
+        _aim(rig, rig.character, number, curve, len(points), one.said)
     if retired:
         many = len(retired) > 1
         one.said.append('%d curve%s of %s lay on faces that are gone, and %s taken away; draw %s again' % (
@@ -250,16 +268,23 @@ def _lay(surface, obj, curve, points):
     store.write(curve.owner, kept)
 
 
-def _aim(rig, number, curve, count):
+def _role(curve):
+    return Role.CONSTRAINT if curve['role'] == 'constraint' else Role.REFERENCE
+
+
+def _aim(rig, character, number, curve, count, said):
+    """Gives a curve of a character, of that number, the target that is kept. `said`: takes what is wrong with it."""
     target = curve.get('target')
     if target is None:
         return
-    if 'points' in target:
-        if count == len(target['points']):
-            rig.character.target(number, curves.of_owner(rig.surface, curve.owner, target['points']))
-        return
-    view = curves.view_of_owner(rig.surface, curve.owner, View(**target['view']))
-    rig.character.draw_target(number, view, target['px'], target['pressure'] or None)
+    try:
+        if 'px' in target:
+            view = curves.view_of_owner(rig.surface, curve.owner, View(**target['view']))
+            character.draw_target(number, view, target['px'], target['pressure'] or None)
+        elif count == len(target['points']):
+            character.target(number, curves.of_owner(rig.surface, curve.owner, target['points']))
+    except Error as problem:
+        said.append('curve %d: %s' % (curve['id'], problem))
 
 
 def aims_of(surface, obj):

@@ -274,7 +274,7 @@ def settled(found, places, near):
 
 
 def broad(found, places, near):
-    """The controls that carry much more than what is near the lines."""
+    """Those that carry much more than what is near the lines."""
     if near is None or not len(near):
         return []
     tree = KDTree(len(near))
@@ -293,7 +293,7 @@ def broad(found, places, near):
             both[0] += squares.sum()
             both[1] += squares[inside[one.up.vertices]].sum()
     wide = {owner for owner, kinds in sums.items() if kinds[min(kinds)][0] > (1 + CARRIES) * kinds[min(kinds)][1]}
-    return [one.control for one in found if one.candidate.place is not None and not one.candidate.fed and one.candidate.owner in wide]
+    return [one for one in found if one.candidate.place is not None and not one.candidate.fed and one.candidate.owner in wide]
 
 
 def shapes_of(found, now):

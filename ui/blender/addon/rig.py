@@ -74,7 +74,7 @@ class Rig:
         for armature in armatures:
             _check_armature(obj, armature)
         self.measured, self.took_s, self.left = taken.acts_between(self.surface, armatures, self.graph.driven), 0.0, 0
-        self.shown, self.found, self.broad = None, None, []
+        self.shown, self.found, self.broad = None, None, set()
         self.name = obj.name
         if self.measured:
             self.candidates = candidates(self.graph, objects, extent(self.surface.rest))
@@ -128,7 +128,7 @@ class Rig:
                 wanted = measure.chosen(self.candidates, near, trials.now)
                 found, self.left = trials.measure(wanted)
                 found = measure.settled(found, trials.now, near)
-                self.broad = [id(c) for c in measure.broad(found, trials.now, near)]
+                self.broad = {id(one.candidate) for one in measure.broad(found, trials.now, near)}
             else:
                 again = {id(control) for control in again}
                 fresh, _ = trials.measure([one.candidate for one in self.found if id(one.control) in again])
@@ -141,9 +141,9 @@ class Rig:
         self._become(found, trials.now)
 
     def _become(self, found, now):
-        base, shapes = measure.shapes_of(found, now)
+        base, self.shapes = measure.shapes_of(found, now)
         self.found, self.parts = found, []
-        self.character = Character.from_arrays(base, self.surface.triangles, shapes)
+        self.character = Character.from_arrays(base, self.surface.triangles, self.shapes)
         for one in found:
             first = self.parts[-1][1][-1] + 1 if self.parts else 0
             self.parts.append((one.control, [first] if one.straight else [first, first + 1], True))
@@ -179,18 +179,24 @@ class Rig:
                     self.locked[number] = bool(locked)
 
     def limit(self, chosen, wide=False):
-        """Lets only the chosen controls move (candidates.selected()); None: all. `wide`: also those that carry much more than what is
-        drawn on, which are meant where no other can follow. Whether there are such."""
+        """Lets only the chosen controls move (candidates.selected()); None: all. The parameters that lines are read by: `wide`: all, else
+        without controls that carry much more than what is drawn on, which are meant where no other can follow; and whether that leaves
+        any out."""
         if chosen is not None and not any(free and selected(control, *chosen) for control, _, free in self.parts):
             raise Refused('none of what is selected moves the curve on %s; select other bones, or turn off Selected Only' % self.name)
-        narrow = [control for control, _, _ in self.parts if id(control) not in self.broad and (chosen is None or selected(control, *chosen))]
-        wide |= not narrow
-        self._lock(lambda control: (chosen is None or selected(control, *chosen)) and (wide or id(control) not in self.broad))
-        return not wide and len(narrow) < len(self.parts)
+        self._lock(lambda control: chosen is None or selected(control, *chosen))
+        narrow = [i for i, one in enumerate(self.found or ()) if id(one.candidate) not in self.broad]
+        if wide or not any(chosen is None or selected(self.parts[i][0], *chosen) for i in narrow):
+            narrow = range(len(self.parts))
+        return [n for i in narrow for n in self.parts[i][1]], len(narrow) < len(self.parts)
 
     def only(self, controls):
         """Lets only these controls move."""
         self._lock(lambda control: any(control is one for one in controls))
+
+    def numbers_of(self, controls):
+        """The parameters of controls."""
+        return [n for control, numbers, _ in self.parts if any(control is one for one in controls) for n in numbers]
 
     def is_moved(self):
         """The controls that the character has elsewhere than Blender."""
