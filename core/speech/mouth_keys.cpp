@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/document/time/timeline.h"
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 
 namespace penpose::speech {
 namespace {

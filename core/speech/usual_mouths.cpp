@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 #include "core/tracking/driven_controls.h"
 
 namespace penpose::speech {

@@ -15,7 +15,7 @@
 #include "core/speech/closures.h"
 #include "core/speech/cues.h"
 #include "core/speech/mouth_keys.h"
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 #include "ui/speech/hear_phones.h"
 
 namespace penpose {

@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/sound/sound.h"
-#include "core/speech/phones.h"
+#include "core/phonetics/phones.h"
 
 namespace penpose::speech {
 

@@ -79,12 +79,11 @@ enum class FrameOrder : std::uint8_t { in_time, none };
 /// come after the ones before, and those that are left out where most times are one step apart.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
 
-/// Mouth cues as values over time, names "mouth cue D": Rhubarb Lip Sync's tsv (time, tab, shape), JSON ("mouthCues")
-/// and XML (<mouthCue start="0.00" end="0.05">D</mouthCue>), at 30 frames a second, and Papagayo's or Rhubarb's Moho
-/// switches ("MohoSwitch1", then a frame from 1 and a shape a line), at 24. Shapes are Rhubarb's A to H and X, or
-/// Preston Blair's AI, E ("mouth cue E."), O, U, etc, L, WQ, MBP, FV and rest. One goes over into the next within 0.04
-/// s to each side. Errors: times that step back, no cue, over 1,000,000 frames.
-[[nodiscard]] base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes);
+/// Mouth cues as values over time, names "mouth cue D", of what read_cues reads: at 30 frames a second, or at 24 where
+/// the file counts frames. Shapes are Rhubarb's A to H and X, or Preston Blair's AI, E ("mouth cue E."), O, U, etc, L,
+/// WQ, MBP, FV and rest. One goes over into the next within 0.04 s to each side. `dictionary`: how words are said.
+/// Errors: those of read_cues, over 1,000,000 frames.
+[[nodiscard]] base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes, base::Bytes dictionary = {});
 
 /// The morph keys of a MikuMikuDance motion (.vmd), a frame 1/30 s, linear between keys; names as UTF-8. Morphs that
 /// stay at 0 are left out where another moves. Keys of bones, cameras and lights are left out, with a note. Errors: a

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/base/text/letters.h"
+#include "core/io/text/utf8_text.h"
+#include "core/io/tracks/cues/cue_file.h"
 
 namespace penpose::io {
 
@@ -62,24 +64,29 @@ const TrackFormat* format_of_track(base::Bytes bytes) {
 }
 
 base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* format,
-                                        std::optional<PictureSize> picture) {
+                                        std::optional<PictureSize> picture, base::Bytes dictionary) {
   if (bytes.empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
-  const std::string_view text = base::as_text(bytes);
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+  const auto wide = text_of_utf16(bytes);
+  if (wide && looks_like_cues(*wide)) {
+    format = track_format_named("cues");
+  } else if (wide) {
     return base::Error{"the file is text as UTF-16, of two bytes a letter", "line 1", "save it as UTF-8"};
   }
   if (format == nullptr) format = format_of_track(bytes);
   if (format == nullptr) {
     return base::Error{
         "the track's format is not known", "line 1",
-        std::string(
-            "penpose takes OpenFace CSV, MediaPipe landmarks or blend shapes (CSV, JSON), Live Link Face or "
-            "Audio2Face shapes (CSV, JSON), 68 points (.pts, CSV), curves (JSON), mouth cues (Rhubarb tsv, json, "
-            "xml, Moho .dat) and .vmd; or name the bundled map of one: ")
+        std::string("penpose takes OpenFace CSV, MediaPipe landmarks or blend shapes (CSV, JSON), Live Link Face or "
+                    "Audio2Face shapes (CSV, JSON), iFacialMocap and VMC (text), 68 points (.pts, CSV), curves (JSON), "
+                    ".vmd, and "
+                    "mouth cues of ")
+            .append(cue_format_names())
+            .append("; or name the bundled map of one: ")
             .append(track_format_names("or"))
             .append(", or write a map")};
   }
-  auto track = format->read(bytes, picture);
+  const bool said = format->read_said != nullptr && !dictionary.empty();
+  auto track = said ? format->read_said(bytes, dictionary) : format->read(bytes, picture);
   if (!track) return track.error();
   return FormattedTrack{format, std::move(track).value()};
 }

@@ -40,6 +40,8 @@ struct TrackFormat {
   bool has_values;        ///< of controls by name: a map needs no curves
   bool (*looks_like)(const TrackText& text);
   base::Result<Track> (*read)(base::Bytes bytes, std::optional<PictureSize> picture);
+  /// The same where words are spoken by a dictionary (speech::said_list); null: the format has no words.
+  base::Result<Track> (*read_said)(base::Bytes bytes, base::Bytes dictionary) = nullptr;
 };
 
 template <typename Read>
@@ -66,9 +68,10 @@ struct FormattedTrack {
   Track track;
 };
 /// Reads a track of any format. `format`: what a map says; null: as its content looks. `picture`: for normalised
-/// coordinates. Errors: those of the reader; an empty file, text as UTF-16, a format that is not known.
+/// coordinates. `dictionary`: how words are said. Errors: those of the reader; an empty file, text as UTF-16 that is no
+/// list of cues, a format that is not known.
 [[nodiscard]] base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* format,
-                                                      std::optional<PictureSize> picture);
+                                                      std::optional<PictureSize> picture, base::Bytes dictionary = {});
 
 /// The map that the program brings for a format, for models with curves of the names that the built-in head has:
 /// brow_L, brow_R, eyelid_upper_L, ..., lip_upper, lip_lower, lip_upper_inner, lip_lower_inner. Tracks of

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 
 namespace penpose::speech {
 namespace {
 
 Cues cues_in(std::string_view text, double moho_fps = 24) {
-  auto cues = read_mouth_cues(base::as_bytes(text), moho_fps);
-  EXPECT_TRUE(cues.ok()) << text;
-  return cues ? *std::move(cues) : Cues();
+  auto read = read_mouth_cues(base::as_bytes(text), moho_fps);
+  EXPECT_TRUE(read.ok()) << text;
+  return read ? std::move(read->cues) : Cues();
 }
 
 TEST(MouthCues, RhubarbsLettersAreTheNineMouths) {

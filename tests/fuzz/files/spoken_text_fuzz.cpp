@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/speech/phones.h"
+#include "core/phonetics/phones.h"
 
 /// A text, and the dictionary behind its first line.
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for

@@ -3,11 +3,13 @@
 #include <chrono>
 #include <utility>
 
+#include "core/phonetics/nine_mouths.h"
+#include "core/sound/read/read_sound.h"
 #include "core/speech/closures.h"
 #include "core/speech/mouth_keys.h"
-#include "core/speech/nine_mouths.h"
 #include "core/speech/usual_mouths.h"
 #include "ui/files/files.h"
+#include "ui/speech/dictionary.h"
 
 namespace penpose::app {
 
@@ -45,9 +47,14 @@ base::Status FirstPass::listen(const std::string& text) {
 base::Status FirstPass::take_cues(const std::string& path) {
   const auto bytes = files::read_file(path, files::k_most_text_bytes);
   if (!bytes) return bytes.error();
-  const auto cues = speech::read_mouth_cues(*bytes, playback_.rate());
-  if (!cues) return cues.error();
-  return key(*cues);
+  if (sound::looks_like_sound(*bytes))
+    return base::Error{"this is a sound, no list of cues", path, "open it as the sound"};
+  const auto read = speech::read_mouth_cues(*bytes, playback_.rate(), speech::english_dictionary());
+  if (!read) return read.error();
+  if (const auto keyed = key(read->cues); !keyed) return keyed;
+  keep_words(read->words);
+  for (const std::string& note : read->notes) notices_.tell(note);
+  return base::Done{};
 }
 
 void FirstPass::follow() {
@@ -87,14 +94,9 @@ base::Status FirstPass::key(const speech::Cues& cues) {
 }
 
 void FirstPass::keep_words(const std::vector<speech::HeardWord>& heard) {
-  document::SetWords command;
-  for (const speech::HeardWord& one : heard) {
-    const bool fits = !one.word.empty() && one.word.size() <= document::k_longest_word && one.from_s >= 0;
-    if (!fits || (!command.times_s.empty() && one.from_s < command.times_s.back())) continue;
-    command.times_s.push_back(one.from_s);
-    command.words.push_back(one.word);
-  }
-  if (editing_.document().sound) editing_.perform_with(command);
+  const document::SetWords command = speech::words_kept(heard);
+  if (editing_.document().sound && (!command.words.empty() || editing_.document().words != nullptr))
+    editing_.perform_with(command);
 }
 
 }  // namespace penpose::app

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/document/sound/mouths.h"
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 
 namespace penpose::app {
 

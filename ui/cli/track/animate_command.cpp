@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/tracks/cues/cue_file.h"
 #include "core/tracking/animate.h"
 #include "core/tracking/driven_controls.h"
 #include "ui/cli/number_range.h"
@@ -230,7 +231,9 @@ void add_options(const Command& command, AnimateArguments& arguments) {
           "--track", arguments.track,
           "OpenFace CSV (points or action units), MediaPipe landmarks or blend shapes (JSON or CSV), 68 points (.pts, "
           "a folder of them, or CSV), curves (JSON), ARKit blend shapes of Live Link Face or Audio2Face (CSV or "
-          "JSON), mouth cues of Rhubarb (tsv, json, xml) or Papagayo (.dat), .vmd, or a motion of a figure (.vrma)")
+          "JSON, also without names), iFacialMocap and VMC (text), .vmd, a motion of a figure (.vrma), or mouth cues "
+          "of " +
+              io::cue_format_names())
       .required();
   command.add_option(
       "--map", arguments.map,

@@ -3,11 +3,14 @@
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
+#include "core/base/text/utf8.h"
 #include "core/document/document_hash.h"
 #include "core/document/history.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/tracks/cues/cue_file.h"
 #include "core/sound/read/read_sound.h"
 #include "core/speech/closures.h"
+#include "core/speech/cues.h"
 #include "core/speech/mouth_file.h"
 #include "core/speech/mouth_keys.h"
 #include "core/speech/usual_mouths.h"
@@ -19,6 +22,7 @@
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
 #include "ui/files/sound/sound_file.h"
+#include "ui/speech/dictionary.h"
 #include "ui/speech/hear_phones.h"
 
 namespace penpose::cli {
@@ -39,6 +43,7 @@ struct MouthArguments {
 /// The cues of a sound, or of a file of cues.
 struct Heard {
   speech::Cues cues;
+  std::vector<speech::HeardWord> words;
   std::optional<document::SoundReference> sound;
 };
 
@@ -46,15 +51,17 @@ base::Result<Heard> hear(const MouthArguments& arguments) {
   const auto bytes = files::read_file(arguments.sound, files::k_most_sound_bytes);
   if (!bytes) return bytes.error();
   if (!sound::looks_like_sound(*bytes)) {
-    auto cues = speech::read_mouth_cues(*bytes, arguments.fps);
-    if (!cues) return cues.error();
-    return Heard{std::move(cues).value(), std::nullopt};
+    auto read = speech::read_mouth_cues(*bytes, arguments.fps, speech::english_dictionary());
+    if (!read) return read.error();
+    for (const std::string& note : read->notes) files::warn(note, arguments.sound);
+    return Heard{std::move(read->cues), std::move(read->words), std::nullopt};
   }
   const auto loaded = files::load_sound(arguments.sound, arguments.out);
   if (!loaded) return loaded.error();
   const auto phones = speech::hear_phones(loaded->sound, arguments.text);
   if (!phones) return phones.error();
-  return Heard{speech::with_closures(speech::cues_of(*phones), loaded->sound), loaded->reference};
+  return Heard{speech::with_closures(speech::cues_of(*phones), loaded->sound), speech::words_heard(*phones),
+               loaded->reference};
 }
 
 /// The mouths of a file, else those of the project, else those that the names of its controls tell.
@@ -72,7 +79,8 @@ base::Result<std::vector<document::Mouth>> mouths_for(const MouthArguments& argu
   return usual;
 }
 
-json::Json json_of(const document::Document& document, const document::SpokenMouths& keys) {
+json::Json json_of(const document::Document& document, const document::SpokenMouths& keys,
+                   const std::vector<speech::HeardWord>& said) {
   json::Json list = json::Json::array();
   for (const document::SpokenMouth& key : keys) list.push_back({{"time_s", key.time_s}, {"mouth", key.mouth}});
   json::Json mouths = json::Json::array();
@@ -81,7 +89,11 @@ json::Json json_of(const document::Document& document, const document::SpokenMou
     for (const auto& one : mouth->values) values[one.name] = one.value;
     mouths.push_back({{"name", mouth->name}, {"values", std::move(values)}});
   }
+  json::Json words = json::Json::array();
+  for (const speech::HeardWord& one : said)
+    words.push_back({{"from_s", one.from_s}, {"to_s", one.to_s}, {"word", base::valid_utf8(one.word)}});
   return {{"keys", std::move(list)},
+          {"words", std::move(words)},
           {"mouths", std::move(mouths)},
           {"state", document::DocumentHasher()(document).whole.hex()}};
 }
@@ -121,6 +133,9 @@ int speak(const MouthArguments& arguments) {
   base::Status done = history.perform(command, work);
   if (done && heard->sound)
     done = history.perform(document::SetSound{heard->sound->file, heard->sound->content, offset_s}, work);
+  // A sound that is there already keeps the words of its cues.
+  if (auto words = speech::words_kept(heard->words); done && !words.words.empty() && history.document().sound)
+    done = history.perform(words, work);
   if (!done) return files::report(done.error(), arguments.model);
   if (!arguments.out.empty()) {
     if (const auto saved =
@@ -129,7 +144,7 @@ int speak(const MouthArguments& arguments) {
       return files::report(saved.error(), arguments.out);
   }
   if (arguments.json) {
-    std::cout << json_of(history.document(), *keys).dump_as_made() << '\n';
+    std::cout << json_of(history.document(), *keys, heard->words).dump_as_made() << '\n';
     return k_success;
   }
   for (const document::SpokenMouth& key : *keys)
@@ -141,7 +156,7 @@ void add_mouth_options(const Command& command, MouthArguments& arguments) {
   command.add_option("MODEL", arguments.model, "Model with controls, or a project with mouths").required();
   command
       .add_option("SOUND", arguments.sound,
-                  "Speech (WAV, FLAC, OGG), or mouth cues of Rhubarb (tsv, json, xml) or Papagayo (.dat)")
+                  "Speech (WAV, FLAC, OGG, MP3, AIFF), or mouth cues of " + io::cue_format_names())
       .required();
   command.add_option("--text", arguments.text, "What is said, in English: far more certain than hearing alone");
   command.add_option("--mouths", arguments.mouths,
@@ -163,7 +178,7 @@ Subcommand mouths_subcommand() {
   return subcommand<MouthArguments>("mouths", files::Rights::no_programs, "Keys the mouths that speak a sound",
                                     add_mouth_options, speak,
                                     {"penpose mouths builtin:demo cues.tsv -o talks.glb", "keys from cues of Rhubarb"},
-                                    {"penpose mouths builtin:demo cues.tsv --json", "which mouth when, for scripts"},
+                                    {"penpose mouths builtin:demo words.srt --json", "which mouth when, for scripts"},
                                     {{"--text", Completes::nothing}});
 }
 

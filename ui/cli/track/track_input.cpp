@@ -5,8 +5,10 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
+#include "core/io/tracks/cues/cue_file.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
+#include "ui/speech/dictionary.h"
 
 namespace penpose::cli {
 namespace {
@@ -103,7 +105,8 @@ base::Result<io::FormattedTrack> read_track(const std::string& path, const io::T
   }
   const auto bytes = files::read_file(path, files::k_most_track_bytes);
   if (!bytes) return bytes.error();
-  return io::read_track(*bytes, format, picture);
+  const bool spoken = format == nullptr ? io::looks_like_cues(base::as_text(*bytes)) : format->read_said != nullptr;
+  return io::read_track(*bytes, format, picture, spoken ? speech::english_dictionary() : std::vector<std::uint8_t>());
 }
 
 }  // namespace penpose::cli

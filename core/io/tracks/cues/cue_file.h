@@ -6,32 +6,43 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
+#include "core/phonetics/phones.h"
 
 namespace penpose::io {
 
-/// Mouth cues as a file has them.
+/// Mouth cues as a file has them, or as its phonemes or words are spoken.
 struct CueFile {
   /// The mouth takes a shape at a time.
   struct Cue {
     double start_s = 0;
     std::string shape;  ///< as it is spelt in its table: "D" of Rhubarb's, "MBP" of Preston Blair's
-    std::string place;  ///< in the file
+    std::string place;  ///< in the file; empty for what its phonemes or words say
   };
-  std::vector<Cue> list;       ///< never empty; times do not step back
-  double end_s = 0;            ///< of the last; 0: not told
-  double fps = 30;             ///< of a track that is made of it
-  bool counts_frames = false;  ///< the file has frames, of which `fps` were taken to make a second
-  bool blair = false;          ///< the shapes are Preston Blair's, or else Rhubarb's
+  std::vector<Cue> list;                 ///< never empty; times do not step back
+  double end_s = 0;                      ///< of the last; 0: not told
+  double fps = 30;                       ///< of a track that is made of it
+  bool counts_frames = false;            ///< the file has frames, of which `fps` were taken to make a second
+  bool blair = false;                    ///< the shapes are Preston Blair's, or else Rhubarb's
+  std::vector<speech::HeardWord> words;  ///< that the file names, ascending
+  std::vector<std::string> notes;        ///< what was not taken as it stands
 };
 
-/// Rhubarb Lip Sync's tsv, XML or JSON, or the Moho switches of Papagayo and Rhubarb (read_cue_track). Errors: another
-/// form, times that step back or lie beyond 1e6 s, no cue, more than 1,000,000.
-[[nodiscard]] base::Result<CueFile> read_cues(base::Bytes bytes);
+/// Which mouth is when, by what the file looks to be:
+/// - cues of Rhubarb Lip Sync (tsv, XML, JSON) and Moho switches (.dat) of Papagayo and Rhubarb;
+/// - Papagayo's projects (.pgo, .pg2);
+/// - TextGrids of Praat, long or short, as the Montreal Forced Aligner writes them;
+/// - speech marks of Amazon Polly, viseme events of Azure (units of 100 ns, milliseconds or seconds);
+/// - labels of Audacity: phonemes, words or mouths; captions (SRT, WebVTT);
+/// - JSON of words: WhisperX, Whisper, Gentle, Vosk and the like.
+/// Text is UTF-8, UTF-16 with a byte order mark, or ISO 8859-1. Phonemes come before words where a file has both; words
+/// are spoken by a dictionary (said_list; empty: by rules) over the time that they have. Errors: another form, binary
+/// data, times that step back or lie beyond 1e6 s, no cue, more than 1,000,000 cues or 300,000 phonemes.
+[[nodiscard]] base::Result<CueFile> read_cues(base::Bytes bytes, base::Bytes dictionary = {});
 
-/// Whether a text begins as XML does, and as a Moho switch does.
-[[nodiscard]] bool is_xml_cues(std::string_view text);
-[[nodiscard]] bool is_moho_switch(std::string_view text);
-/// Whether a name is one of Rhubarb's letters.
-[[nodiscard]] bool is_rhubarb_shape(std::string_view name);
+/// Whether a file looks to be one of these. `sure`: by more than a time and a name.
+[[nodiscard]] bool looks_like_cues(std::string_view text);
+
+/// What read_cues reads, for people: "Rhubarb (tsv, xml, json), Papagayo (.pgo, .dat), ...".
+[[nodiscard]] const std::string& cue_format_names();
 
 }  // namespace penpose::io

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/numbers.h"
-#include "core/base/text/letters.h"
 #include "core/io/tracks/cues/cue_file.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
@@ -14,7 +12,7 @@ namespace {
 constexpr std::size_t k_most_cue_shapes = 200;
 
 base::Error wrong_track(std::string what, std::string place) {
-  return {std::move(what), std::move(place), "export the cues again with Rhubarb (tsv, xml, json) or Papagayo (.dat)"};
+  return {std::move(what), std::move(place), "cut the file into shorter ones"};
 }
 
 /// "mouth cue D" of Rhubarb's shapes A to H and X, "mouth cue MBP" of those of Preston Blair, whose E is "mouth cue
@@ -79,10 +77,11 @@ base::Result<animation::WeightTrack> make_track(const CueFile& cues) {
 
 }  // namespace
 
-base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes) {
-  const auto cues = read_cues(bytes);
+base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes, base::Bytes dictionary) {
+  const auto cues = read_cues(bytes, dictionary);
   if (!cues) return cues.error();
   auto track = make_track(*cues);
+  if (track) track->notes = cues->notes;
   if (track && cues->counts_frames) {
     track->rate_note =
         "the file counts frames and does not say how many make a second: 24 are taken; --stretch sets another rate";
@@ -91,19 +90,12 @@ base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes) {
 }
 
 TrackFormat cues_format() {
-  return {"cues", 6, true,
-          [](const TrackText& text) {
-            if (text.json) return text.mentions("\"mouthCues\"");
-            const std::string_view bare = base::without_mark(text.text);
-            if (is_moho_switch(bare.substr(0, 200))) return true;
-            if (is_xml_cues(bare.substr(0, 200))) return text.mentions("<mouthCue");
-            // A time, a tab and a letter.
-            const std::string_view line = base::trim(bare.substr(0, std::min(bare.find_first_of("\r\n"), bare.size())));
-            const std::size_t tab = line.find('\t');
-            if (tab == std::string_view::npos || !base::parse_double(line.substr(0, tab))) return false;
-            return is_rhubarb_shape(base::trim(line.substr(tab)));
-          },
-          [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_cue_track(bytes)); }};
+  return {"cues",
+          6,
+          true,
+          [](const TrackText& text) { return looks_like_cues(text.text); },
+          [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_cue_track(bytes)); },
+          [](base::Bytes bytes, base::Bytes dictionary) { return as_track(read_cue_track(bytes, dictionary)); }};
 }
 
 }  // namespace penpose::io

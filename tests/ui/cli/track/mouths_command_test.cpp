@@ -33,6 +33,28 @@ TEST_F(MouthsCommand, KeysTheMouthsOfCues) {
   EXPECT_GT(document::pose_at(*document, 1.25)[jaw], 0.4);
 }
 
+TEST_F(MouthsCommand, WordsOfCuesAreSpokenAndTold) {
+  save("words.srt", "1\n00:00:00,500 --> 00:00:01,000\nma\n\n2\n00:00:01,500 --> 00:00:02,000\nbob\n");
+  ASSERT_EQ(mouths({"builtin:demo", path("words.srt"), "-o", path("talks.glb"), "--json"}), k_success) << error_;
+  const auto json = nlohmann::json::parse(out_);
+  ASSERT_EQ(json["words"].size(), 2U);
+  EXPECT_EQ(json["words"][1]["word"], "bob");
+  EXPECT_EQ(json["words"][1]["from_s"], 1.5);
+  const auto document = files::load_document(path("talks.glb"));
+  ASSERT_TRUE(document.ok()) << document.error().line();
+  const auto jaw = rig::find_parameter(document->model->rig->parameters(), "jaw").value();
+  EXPECT_EQ(document::pose_at(*document, 0.55)[jaw], 0) << "m";
+  EXPECT_GT(document::pose_at(*document, 0.85)[jaw], 0.4) << "a";
+  EXPECT_EQ(document::pose_at(*document, 1.3)[jaw], 0) << "a pause";
+}
+
+TEST_F(MouthsCommand, BytesThatAreNoCuesAreNotToBeExportedAgain) {
+  save("film.bin", std::string("\x00\x01\x02\x03 film", 9));
+  EXPECT_NE(mouths({"builtin:demo", path("film.bin"), "-o", path("talks.glb")}), k_success);
+  EXPECT_NE(error_.find("neither a sound that is read here nor a list of cues"), std::string::npos) << error_;
+  EXPECT_EQ(error_.find("again"), std::string::npos) << error_;
+}
+
 TEST_F(MouthsCommand, TakesTheMouthsOfAFileAndOfAProject) {
   write_cues();
   save("mouths.json", R"({"mouths": [{"name": "A", "values": {"jaw": 0.75}}, {"name": "rest", "values": {}}]})");

@@ -30,6 +30,8 @@ struct SaidWord {
   std::vector<std::string> phonemes;
 };
 [[nodiscard]] std::vector<SaidWord> said_words(std::string_view text, base::Bytes dictionary);
+/// The same for words as words_of gives them, one each.
+[[nodiscard]] std::vector<SaidWord> said_list(const std::vector<std::string>& words, base::Bytes dictionary);
 
 /// A word and when it is said, s.
 struct HeardWord {

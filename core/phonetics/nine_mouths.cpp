@@ -1,4 +1,4 @@
-#include "core/speech/nine_mouths.h"
+#include "core/phonetics/nine_mouths.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "core/speech/phones.h"
+#include "core/phonetics/phones.h"
 
 #include <algorithm>
 #include <map>
@@ -66,7 +66,10 @@ std::vector<std::string> spelt(std::string_view word) {
 }
 
 std::vector<SaidWord> said_words(std::string_view text, base::Bytes dictionary) {
-  const std::vector<std::string> words = words_of(text);
+  return said_list(words_of(text), dictionary);
+}
+
+std::vector<SaidWord> said_list(const std::vector<std::string>& words, base::Bytes dictionary) {
   std::map<std::string, std::vector<std::string>, std::less<>> said;
   for (const std::string& word : words) said.emplace(word, std::vector<std::string>());
   std::string_view lines = base::as_text(dictionary);

@@ -1,4 +1,4 @@
-#include "core/speech/phones.h"
+#include "core/phonetics/phones.h"
 
 #include <gtest/gtest.h>
 
