@@ -5,6 +5,7 @@
 #include "core/document/time/animation_building.h"
 #include "core/document/time/animation_poses.h"
 #include "core/document/time/head_joints.h"
+#include "core/rig/control_names.h"
 #include "core/tracking/head_placement.h"
 #include "core/tracking/motion_animation.h"
 #include "core/tracking/retime.h"
@@ -66,11 +67,29 @@ void note_without_effect(const AnimateOptions& options, std::vector<std::string>
   note(!options.curves.empty(), "--curves", "the track has values, no points");
 }
 
+/// Whether a head can be seen to turn.
+bool turns_the_head(const animation::WeightTrack& track) {
+  constexpr double k_seen = 0.02;
+  for (std::size_t i = 0; i < track.names.size(); ++i) {
+    const std::string name = rig::folded_name(track.names[i]);
+    if (name != "headyaw" && name != "headpitch" && name != "headroll") continue;
+    std::optional<double> least, most;
+    for (const auto& frame : track.frames) {
+      if (!frame.found) continue;
+      least = std::min(least.value_or(frame.values[i]), frame.values[i]);
+      most = std::max(most.value_or(frame.values[i]), frame.values[i]);
+    }
+    if (least && *most - *least > k_seen) return true;
+  }
+  return false;
+}
+
 base::Result<Solved> from_values(const document::Model& model, animation::WeightTrack& track, const io::MapFile& map,
                                  const AnimateOptions& options, bool apply_head) {
   Solved solved;
   Animated& out = solved.animated;
   const bool percent = divide_percent(track);
+  const bool degrees = take_degrees(track);
   if (options.neutral) {
     if (auto done = subtract_neutral(track, *options.neutral); !done) return done.error();
   }
@@ -80,6 +99,7 @@ base::Result<Solved> from_values(const document::Model& model, animation::Weight
   out.notes = *std::move(notes);
   note_without_effect(options, out.notes);
   if (percent) out.notes.emplace_back("its values are percent: they are divided by 100");
+  if (degrees) out.notes.emplace_back("its turns are degrees: they are taken so, not as radians");
   WeightAnimation played = animate_weights(model, track, map, apply_head, options.smooth_s);
   if (!played.drives) {
     return base::Error{"the model has a control for none of its " + std::to_string(track.names.size()) + " columns",
@@ -91,6 +111,8 @@ base::Result<Solved> from_values(const document::Model& model, animation::Weight
   out.unmatched = std::move(played.unmatched);
   out.nearest = std::move(played.nearest);
   out.notes.insert(out.notes.end(), played.notes.begin(), played.notes.end());
+  if (!apply_head && turns_the_head(track))
+    out.notes.emplace_back("its head turns, which is left out: --head apply plays it");
   if (apply_head && played.placements.empty()) {
     out.notes.emplace_back(
         "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/math.h"
+#include "core/rig/control_names.h"
 #include "core/rig/names/face_names.h"
 
 namespace penpose::tracking {
@@ -104,6 +106,43 @@ bool divide_percent(animation::WeightTrack& track) {
   for (auto& frame : track.frames) {
     for (std::size_t i = 0; i < frame.values.size(); ++i) {
       if (rig::face_name(track.names[i])) frame.values[i] /= 100;
+    }
+  }
+  return true;
+}
+
+bool take_degrees(animation::WeightTrack& track) {
+  constexpr double k_half_turn = 3.2;
+  constexpr double k_fast = 8;  // radians a second, of a head
+  std::vector<std::size_t> turns;
+  for (std::size_t i = 0; i < track.names.size(); ++i) {
+    const std::string name = rig::folded_name(track.names[i]);
+    const bool part = name.starts_with("head") || name.starts_with("lefteye") || name.starts_with("righteye");
+    if (part && (name.ends_with("yaw") || name.ends_with("pitch") || name.ends_with("roll"))) turns.push_back(i);
+  }
+  bool beyond = false, whole = true;
+  double most = 0;
+  std::size_t steps = 0, fast = 0;
+  for (const std::size_t i : turns) {
+    const bool head = rig::folded_name(track.names[i]).starts_with("head");
+    const animation::WeightFrame* before = nullptr;
+    for (const auto& frame : track.frames) {
+      if (!frame.found) continue;
+      const double value = frame.values[i];
+      beyond = beyond || std::abs(value) > k_half_turn;
+      whole = whole && value == std::floor(value);
+      most = std::max(most, std::abs(value));
+      const double step = head && before != nullptr ? std::abs(value - before->values[i]) : 0;
+      if (step > 0) ++steps;
+      if (step > 0 && step > k_fast * (frame.time_s - before->time_s)) ++fast;
+      before = &frame;
+    }
+  }
+  const bool degrees = beyond || (whole && most >= 2) || (steps >= 10 && 10 * fast > steps);
+  if (!degrees) return false;
+  for (auto& frame : track.frames) {
+    for (const std::size_t i : turns) {
+      if (frame.found) frame.values[i] = base::radians(frame.values[i]);
     }
   }
   return true;

@@ -24,4 +24,9 @@ void stretch(animation::PointTrack& track, double fps);
 /// turns stay. Returns whether they were.
 bool divide_percent(animation::WeightTrack& track);
 
+/// Reads turns of the head and the eyes (HeadYaw, LeftEyePitch, ...) in degrees as radians, where one goes beyond a
+/// half turn, all are whole numbers, or a tenth of the steps from frame to frame is faster than a head can turn.
+/// Returns whether they were.
+bool take_degrees(animation::WeightTrack& track);
+
 }  // namespace penpose::tracking

@@ -24,25 +24,45 @@ base::Result<CsvReader> CsvReader::open(std::string_view text) {
   CsvReader reader(base::without_mark(text));
   while (const auto line = reader.lines_.next()) {
     if (base::trim(*line).empty()) continue;
-    const auto count = [&](char c) { return std::count(line->begin(), line->end(), c); };
-    if (count(';') > count(reader.separator_)) reader.separator_ = ';';
-    if (count('\t') > count(reader.separator_)) reader.separator_ = '\t';
+    reader.choose_separator(*line);
     reader.split(*line, reader.columns_);
     return reader;
   }
   return base::Error{"the table is empty", "line 1", "a header line and rows of numbers were expected"};
 }
 
+base::Result<CsvReader> CsvReader::open_bare(std::string_view text, std::vector<std::string_view> names) {
+  CsvReader reader(base::without_mark(text));
+  TextLines lines = reader.lines_;
+  while (const auto line = lines.next()) {
+    const std::string_view row = base::trim(*line);
+    if (row.empty()) continue;
+    reader.choose_separator(row);
+    if (row.find(reader.separator_) == std::string_view::npos) reader.separator_ = ' ';
+    reader.columns_ = std::move(names);
+    return reader;
+  }
+  return base::Error{"the table is empty", "line 1", "rows of numbers were expected"};
+}
+
+void CsvReader::choose_separator(std::string_view line) {
+  const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
+  if (count(';') > count(separator_)) separator_ = ';';
+  if (count('\t') > count(separator_)) separator_ = '\t';
+}
+
 void CsvReader::split(std::string_view line, std::vector<std::string_view>& cells) const {
   cells.clear();
   while (true) {
     const std::size_t end = std::min(line.find(separator_), line.size());
-    cells.push_back(bare(line.substr(0, end)));
+    // Blanks that stand side by side are one.
+    if (separator_ != ' ' || end > 0) cells.push_back(bare(line.substr(0, end)));
     if (end == line.size()) break;
     line.remove_prefix(end + 1);
   }
-  // A separator at the end of each line is a habit of some programs.
-  if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+  // A separator at the end of each line is a habit of some programs; else the last cell is empty.
+  const bool habit = columns_.empty() || cells.size() > columns_.size();
+  if (habit && cells.size() > 1 && cells.back().empty()) cells.pop_back();
 }
 
 std::optional<std::size_t> CsvReader::find(std::string_view name) const {

@@ -17,6 +17,9 @@ class CsvReader {
  public:
   /// `text` must outlive the reader. Errors: no header line.
   static base::Result<CsvReader> open(std::string_view text);
+  /// A table without a header line: the names of its columns are given. Cells may be a blank apart, too. `names` must
+  /// outlive the reader. Errors: no line.
+  static base::Result<CsvReader> open_bare(std::string_view text, std::vector<std::string_view> names);
 
   /// Names of the header's cells.
   [[nodiscard]] const std::vector<std::string_view>& columns() const { return columns_; }
@@ -37,6 +40,7 @@ class CsvReader {
 
  private:
   explicit CsvReader(std::string_view text) : lines_(text) {}
+  void choose_separator(std::string_view line);
   void split(std::string_view line, std::vector<std::string_view>& cells) const;
 
   TextLines lines_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/math.h"
+
 namespace penpose::tracking {
 namespace {
 
@@ -49,6 +51,30 @@ TEST(Retime, PercentIsDividedAndSharesAreNot) {
   EXPECT_FALSE(divide_percent(shares));
   auto bytes = take({"JawOpen", "MouthSmileLeft"}, {{255, 30}, {80, 120}}, 1);
   EXPECT_FALSE(divide_percent(bytes));
+}
+
+/// A head that turns by so much to one side within a second, 30 frames a second, and back.
+animation::WeightTrack turning(double most) {
+  animation::WeightTrack track;
+  track.names = {"HeadYaw", "jawOpen"};
+  for (int f = 0; f <= 60; ++f) track.frames.push_back({f / 30.0, true, {most * (f < 30 ? f : 60 - f) / 30.0, 5}});
+  return track;
+}
+
+TEST(Retime, DegreesOfAHeadAreToldFromRadians) {
+  for (const double degrees : {20.0, 3.0, 90.0}) {
+    auto track = turning(degrees);
+    const bool tell = degrees != 3;
+    EXPECT_EQ(take_degrees(track), tell) << degrees;
+    EXPECT_NEAR(track.frames[30].values[0], tell ? base::radians(degrees) : degrees, 1e-12);
+    EXPECT_EQ(track.frames[30].values[1], 5) << "no turn";
+  }
+  auto radians = turning(1.2);
+  EXPECT_FALSE(take_degrees(radians));
+  // Within half a turn, but no head shakes so fast.
+  auto shakes = turning(0);
+  for (int f = 0; f <= 60; ++f) shakes.frames[static_cast<std::size_t>(f)].values[0] = f % 4 < 2 ? 2.5 : -1.25;
+  EXPECT_TRUE(take_degrees(shakes));
 }
 
 TEST(Retime, TheNeutralFrameIsSubtractedDownToZero) {

@@ -8,6 +8,8 @@
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/io/tracks/read_track.h"
+#include "core/io/tracks/values/azure_chunks.h"
+#include "core/io/tracks/values/bare_values.h"
 #include "core/io/tracks/values/json_values.h"
 #include "core/io/tracks/values/value_names.h"
 #include "core/io/tracks/values/value_rows.h"
@@ -87,9 +89,11 @@ class Rows {
       values.resize(at->second + 1);
     }
     const auto number = json::number(value);
+    const bool hole = value.is_null() || (value.is_string() && is_hole(value.get_ref<const std::string&>()));
     if (!number || !(std::abs(*number) < 1e6)) {
-      if (!value.is_null() && !value.is_number()) return wrong_values("a number was expected", place);
-      hold("a value is missing or no number");
+      if (!hole && !value.is_number()) return wrong_values("a number was expected", place);
+      if (!hole) hold("a value is missing or no number");
+      if (hole) rows_.holes.push_back({rows_.values.size() - 1, at->second});
       return std::nullopt;
     }
     values[at->second] = *number;
@@ -187,6 +191,8 @@ class ValueReader {
 
   void finish() {
     if (several_) rows_.note("several faces are seen; the first of each frame is followed");
+    if (!usual_.empty()) rows_.note(usual_names_note(usual_.size()));
+    usual_.clear();
   }
 
  private:
@@ -211,7 +217,16 @@ class ValueReader {
   }
 
   ValueProblem read_numbers(const Json& numbers, const std::string& place) {
-    if (names_ == nullptr) return wrong_values("there is no list of names for these numbers", place);
+    if (names_ == nullptr) {
+      if (usual_.size() != numbers.size()) usual_ = usual_names(numbers.size());
+      if (usual_.empty())
+        return wrong_values("there is no list of names for these " + std::to_string(numbers.size()) + " numbers",
+                            place);
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (auto problem = rows_.set(usual_[i], numbers[i], json::child(place, i))) return problem;
+      }
+      return std::nullopt;
+    }
     if (numbers.size() != names_->size()) {
       return wrong_values(std::to_string(numbers.size()) + " numbers for " + std::to_string(names_->size()) + " names",
                           place);
@@ -226,6 +241,7 @@ class ValueReader {
 
   Rows& rows_;
   const Json* names_;
+  std::vector<std::string> usual_;  ///< of numbers for which the file has no names
   bool several_ = false;
 };
 
@@ -360,12 +376,14 @@ bool mentions_values(std::string_view json) {
                            "\"jawopen\"", "\"eyeblinkleft\"", "\"eyeblink_l\""}) {
     if (text.find(word) != std::string::npos) return true;
   }
-  return false;
+  // A list of lists of as many numbers as ARKit has shapes.
+  return text.find("landmark") == std::string::npos && !usual_names(first_numbers(json)).empty();
 }
 
 base::Result<animation::WeightTrack> read_value_json(base::Bytes bytes) {
   const auto root = read_json_values(bytes);
   if (!root) return root.error();
+  if (auto chunks = read_azure_chunks(*root)) return *std::move(chunks);
   Rows rows(root->is_object() ? rate_of(*root) : 0);
   if (auto problem = read_all(*root, rows)) return *problem;
   return rows.finish();

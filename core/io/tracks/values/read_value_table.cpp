@@ -8,6 +8,7 @@
 #include "core/base/text/letters.h"
 #include "core/io/text/csv_reader.h"
 #include "core/io/tracks/read_track.h"
+#include "core/io/tracks/values/bare_values.h"
 #include "core/io/tracks/values/value_names.h"
 #include "core/io/tracks/values/value_rows.h"
 #include "core/io/tracks/values/value_tables.h"
@@ -165,7 +166,12 @@ class TableReader {
     for (std::size_t i = 0; i < columns_.values.size() && held.empty(); ++i) {
       const std::string_view cell = cells[columns_.values[i]];
       const auto value = number(cell);
-      if (!value && !cell.empty() && !texts_[i]) {
+      if (is_hole(cell)) {
+        rows_.holes.push_back({rows_.values.size() - 1, i});
+        values.push_back(0);
+        continue;
+      }
+      if (!value && !texts_[i]) {
         if (rows_.values.size() > 1 || is_arkit_shape(rows_.names[i])) {
           std::string what = "\"";
           what += cell.substr(0, 20);
@@ -193,6 +199,13 @@ class TableReader {
       }
     }
     if (names.size() == rows_.names.size()) return;
+    std::vector<std::size_t> place(texts_.size(), 0);
+    for (std::size_t i = 1; i < texts_.size(); ++i) place[i] = place[i - 1] + (texts_[i - 1] ? 0 : 1);
+    std::vector<ValueRows::Hole> holes;
+    for (const ValueRows::Hole& hole : rows_.holes) {
+      if (!texts_[hole.name]) holes.push_back({hole.row, place[hole.name]});
+    }
+    rows_.holes = std::move(holes);
     for (auto& values : rows_.values) {
       std::vector<double> kept;
       for (std::size_t i = 0; i < values.size(); ++i) {
@@ -262,12 +275,25 @@ base::Result<animation::WeightTrack> read_long(CsvReader& table, const LongValue
   return make_value_track(std::move(rows), when);
 }
 
+/// A table without a header.
+base::Result<animation::WeightTrack> read_bare_table(base::Bytes bytes, const BareTable& bare) {
+  const auto names = usual_names(bare.count);
+  std::vector<std::string_view> columns(names.begin(), names.end());
+  if (bare.timed) columns.insert(columns.begin(), "time");
+  auto table = CsvReader::open_bare(base::as_text(bytes), std::move(columns));
+  if (!table) return table.error();
+  auto track = TableReader(*table).read();
+  if (track) track->notes.insert(track->notes.begin(), usual_names_note(bare.count));
+  return track;
+}
+
 bool is_long(const LongValues& columns) { return columns.name && columns.value && columns.clock; }
 
 }  // namespace
 
 bool has_value_columns(const CsvReader& table) {
   if (table.find("Timecode")) return true;
+  if (table.header_is_row()) return false;
   const std::vector<std::string_view>& names = table.columns();
   const auto plain = plain_names(names);
   const auto shapes = static_cast<std::size_t>(std::count_if(plain.begin(), plain.end(), is_arkit_shape));
@@ -278,6 +304,7 @@ bool has_value_columns(const CsvReader& table) {
 }
 
 base::Result<animation::WeightTrack> read_value_table(base::Bytes bytes) {
+  if (const BareTable bare = bare_table(base::as_text(bytes)); bare.count > 0) return read_bare_table(bytes, bare);
   auto table = CsvReader::open(base::as_text(bytes));
   if (!table) return table.error();
   const auto columns = long_columns(*table);

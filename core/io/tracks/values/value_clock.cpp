@@ -145,6 +145,25 @@ std::vector<std::optional<double>> ValueClock::seconds(std::string& rate_note) c
   return has_codes() ? seconds_of_codes(rate_note) : seconds_of_numbers(rate_note);
 }
 
+std::vector<bool> ValueClock::repeated() const {
+  std::string ignored;
+  const auto seconds = this->seconds(ignored);
+  std::vector<bool> repeats(seconds.size(), false);
+  if (!find_increasing(seconds).trusted()) return repeats;
+  for (std::size_t r = 1; r < seconds.size(); ++r) repeats[r] = seconds[r] && seconds[r] == seconds[r - 1];
+  return repeats;
+}
+
+ValueClock ValueClock::without(const std::vector<bool>& rows) const {
+  ValueClock kept(usual_fps_);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r]) continue;
+    kept.codes_.push_back(codes_[r]);
+    kept.numbers_.push_back(numbers_[r]);
+  }
+  return kept;
+}
+
 PlacedRows ValueClock::place(const std::vector<std::string>& named, std::vector<std::string>& why,
                              FrameNotes& notes) const {
   PlacedRows rows;

@@ -28,6 +28,10 @@ class ValueClock {
 
   /// One a row, in their order. `number`: the text as a number in the file's own way of writing.
   void add(std::string_view text, std::optional<double> number);
+  /// Which rows repeat the time of the one before them; none where the times are not gone by.
+  [[nodiscard]] std::vector<bool> repeated() const;
+  /// The same clock without some rows.
+  [[nodiscard]] ValueClock without(const std::vector<bool>& rows) const;
   /// `named`: what rows are called in notes, "line 5", one a row. Says in `why`, one a row, what holds a frame, and in
   /// `notes` what else there is to say.
   [[nodiscard]] PlacedRows place(const std::vector<std::string>& named, std::vector<std::string>& why,

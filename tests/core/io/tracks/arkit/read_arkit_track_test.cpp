@@ -50,19 +50,48 @@ TEST(ReadArkit, SaysWhichRateItTookWhereTheTimecodesDoNotTell) {
   EXPECT_NE(bare.rate_note.find("no timecode"), std::string::npos);
 }
 
-TEST(ReadArkit, HoldsRowsWhoseTimecodesRepeatOrStepBack) {
+/// A take at 60 frames a second of the frames [first, end), frame numbers from 0.
+std::string arkit_rows(int first, int end) {
+  std::string rows;
+  for (int f = first; f < end; ++f)
+    rows += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60) + ".5," + text_of(0.01 * f) + "\n";
+  return rows;
+}
+
+TEST(ReadArkit, OfRepeatedTimecodesTheLastCountsAndRowsThatStepBackAreHeld) {
   const auto track = read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:55,0\n0:0:0:56,0.1\n0:0:0:56,0.2\n0:0:0:58,0.3\n"
                                             "0:0:0:59,0.4\n0:0:0:12,0.5\n0:0:1:01,0.6\n?,0.7\n0:0:1:03,0.8\n"))
                          .value();
-  for (std::size_t f = 0; f < 9; ++f) {
-    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
-    EXPECT_EQ(track.frames[f].found, f != 2 && f != 5) << f;
+  const std::vector<int> numbers{0, 1, 3, 4, 5, 6, 7, 8};
+  ASSERT_EQ(track.frames.size(), numbers.size());
+  for (std::size_t f = 0; f < numbers.size(); ++f) {
+    EXPECT_NEAR(track.frames[f].time_s, numbers[f] / 60.0, 1e-9) << f;
+    EXPECT_EQ(track.frames[f].found, f != 4) << f;
   }
+  EXPECT_EQ(track.frames[1].values[0], 0.2);
   ASSERT_EQ(track.notes.size(), 3U);
-  EXPECT_TRUE(track.notes[0].starts_with("line 9: its timecode cannot be read")) << track.notes[0];
-  EXPECT_TRUE(track.notes[1].starts_with("line 4: its timecode does not come after"));
+  EXPECT_TRUE(track.notes[0].starts_with("1 row repeats the time of the one before, the first in line 4"))
+      << track.notes[0];
+  EXPECT_TRUE(track.notes[1].starts_with("line 9: its timecode cannot be read")) << track.notes[1];
   EXPECT_TRUE(track.notes[2].starts_with("line 7: "));
   EXPECT_TRUE(track.rate_note.empty());
+}
+
+/// Every tenth row comes twice and every seventh is missing: the rate stays, and what is there keeps its time.
+TEST(ReadArkit, RepeatedAndDroppedRowsDoNotSpoilTheRate) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 120; ++f) {
+    if (f % 7 == 6) continue;
+    if (f % 10 == 3) take += arkit_rows(f, f + 1);
+    take += arkit_rows(f, f + 1);
+  }
+  const auto track = read_arkit_track(bytes(take)).value();
+  ASSERT_EQ(track.frames.size(), 120U);
+  for (std::size_t f = 0; f < 120; ++f) {
+    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
+    EXPECT_EQ(track.frames[f].found, f % 7 != 6) << f;
+    if (track.frames[f].found) EXPECT_NEAR(track.frames[f].values[0], 0.01 * static_cast<double>(f), 1e-9);
+  }
 }
 
 TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
@@ -71,14 +100,6 @@ TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
   EXPECT_EQ(track.frames[0].values, (std::vector<double>{0.25, 1}));
   ASSERT_EQ(track.notes.size(), 1U);
   EXPECT_TRUE(track.notes[0].starts_with("line 1: the column jawopen comes again")) << track.notes[0];
-}
-
-/// A take at 60 frames a second of the frames [first, end), frame numbers from 0.
-std::string arkit_rows(int first, int end) {
-  std::string rows;
-  for (int f = first; f < end; ++f)
-    rows += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60) + ".5," + text_of(0.01 * f) + "\n";
-  return rows;
 }
 
 TEST(ReadArkit, HoldsFramesThatAreLeftOut) {
