@@ -11,6 +11,8 @@
 namespace penpose::io {
 namespace {
 
+/// More properties of one object are not looked at.
+constexpr std::ptrdiff_t k_most_properties = 5000;
 constexpr double k_degree = 0.017453292519943295;
 
 /// "Name\0\1Class" of binary files and "Class::Name" of text files.
@@ -24,10 +26,38 @@ std::string plain_name(std::string_view name) {
 const FbxRecord* property_record(const FbxRecord& object, std::string_view name) {
   const FbxRecord* list = object.find("Properties70");
   if (list == nullptr) return nullptr;
-  for (const FbxRecord& one : list->records) {
-    if (one.text(0) == name) return &one;
+  // Of a property that is there twice the later one counts.
+  const auto least = list->records.rend() - list->records.rbegin() > k_most_properties
+                         ? list->records.rbegin() + k_most_properties
+                         : list->records.rend();
+  for (auto one = list->records.rbegin(); one != least; ++one) {
+    if (one->text(0) == name) return &*one;
   }
   return nullptr;
+}
+
+const FbxRecord* property_record(const FbxObject& object, std::string_view name) {
+  const FbxRecord* own = property_record(*object.record, name);
+  return own != nullptr || object.usual == nullptr ? own : property_record(*object.usual, name);
+}
+
+/// The template of each kind of object, where its kind has a single one.
+std::map<std::string, const FbxRecord*, std::less<>> templates_of(const FbxRecord& root) {
+  std::map<std::string, const FbxRecord*, std::less<>> out;
+  const FbxRecord* definitions = root.find("Definitions");
+  if (definitions == nullptr) return out;
+  for (const FbxRecord& type : definitions->records) {
+    const FbxRecord* only = type.find("PropertyTemplate");
+    if (type.name == "ObjectType" && only != nullptr) out.try_emplace(std::string(type.text(0)), only);
+  }
+  return out;
+}
+
+bool is_of_blender(const FbxRecord& root) {
+  const FbxRecord* creator = root.find("Creator");
+  if (const FbxRecord* header = root.find("FBXHeaderExtension"); creator == nullptr && header != nullptr)
+    creator = header->find("Creator");
+  return creator != nullptr && creator->text(0).find("Blender") != std::string_view::npos;
 }
 
 glm::dmat4 about(int axis, double degrees) {
@@ -43,11 +73,11 @@ glm::dmat4 about(int axis, double degrees) {
   return m;
 }
 
-/// Angles in degrees, the first letter of the order turned first.
+/// The seventh order, "spheric", turns as the first one does.
+constexpr std::array<std::array<int, 3>, 6> k_orders{
+    {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
+
 glm::dmat4 turned(const glm::dvec3& angles, int order) {
-  constexpr std::array<std::array<int, 3>, 6> k_orders{
-      {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
-  // The seventh order, "spheric", turns as the first one does.
   const auto& axes = k_orders[static_cast<std::size_t>(order)];
   return about(axes[2], angles[axes[2]]) * about(axes[1], angles[axes[1]]) * about(axes[0], angles[axes[0]]);
 }
@@ -67,11 +97,15 @@ base::Result<FbxScene> FbxScene::make(const FbxTree& tree) {
   if (objects == nullptr) return base::Error{"the file has no objects", "", "export it again with its meshes"};
   FbxScene scene;
   scene.settings_ = tree.root.find("GlobalSettings");
+  scene.of_blender_ = is_of_blender(tree.root);
+  const auto usual = templates_of(tree.root);
   for (const FbxRecord& record : objects->records) {
     const std::int64_t id = record.whole(0);
     if (id == 0 || scene.number_.contains(id)) continue;
     scene.number_[id] = scene.objects_.size();
-    scene.objects_.push_back({id, plain_name(record.text(1)), record.name, std::string(record.text(2)), &record});
+    const auto own = usual.find(record.name);
+    scene.objects_.push_back({id, plain_name(record.text(1)), record.name, std::string(record.text(2)), &record,
+                              own == usual.end() ? nullptr : own->second});
   }
   if (const FbxRecord* connections = tree.root.find("Connections")) {
     for (const FbxRecord& one : connections->records) {
@@ -129,12 +163,12 @@ double FbxScene::setting(std::string_view name, double otherwise) const {
 }
 
 double FbxScene::property(const FbxObject& object, std::string_view name, double otherwise) {
-  const FbxRecord* record = property_record(*object.record, name);
+  const FbxRecord* record = property_record(object, name);
   return record == nullptr ? otherwise : record->number(4);
 }
 
 glm::dvec3 FbxScene::vector(const FbxObject& object, std::string_view name, glm::dvec3 otherwise) {
-  const FbxRecord* record = property_record(*object.record, name);
+  const FbxRecord* record = property_record(object, name);
   return record == nullptr ? otherwise : glm::dvec3(record->number(4), record->number(5), record->number(6));
 }
 
@@ -154,38 +188,81 @@ glm::dmat4 FbxScene::to_world() const {
   return glm::determinant(glm::dmat3(world)) != 0.0 ? world : scaled(glm::dvec3(unit > 0.0 ? unit : 1.0));
 }
 
-FbxTransform transform_of(const FbxObject& node) {
-  return {FbxScene::vector(node, "Lcl Translation", glm::dvec3(0)),
-          FbxScene::vector(node, "Lcl Rotation", glm::dvec3(0)), FbxScene::vector(node, "Lcl Scaling", glm::dvec3(1))};
-}
-
-glm::dmat4 local_matrix(const FbxObject& node, const FbxTransform& values) {
-  const auto vector = [&](const char* name) { return FbxScene::vector(node, name, glm::dvec3(0)); };
+FbxNodeTransform::FbxNodeTransform(const FbxObject& node) {
+  const auto vector = [&](const char* name, double otherwise = 0.0) {
+    return FbxScene::vector(node, name, glm::dvec3(otherwise));
+  };
+  still_ = {vector("Lcl Translation"), vector("Lcl Rotation"), vector("Lcl Scaling", 1.0)};
   // Another order, and rotations before and after its own, count where the rotation is active, and not for limits
   // alone.
-  const bool around = FbxScene::property(node, "RotationActive", 0) != 0.0 &&
-                      FbxScene::property(node, "RotationSpaceForLimitOnly", 0) == 0.0;
-  const int order = around ? choice_of(FbxScene::property(node, "RotationOrder", 0), 6, 0) : 0;
-  const auto around_turn = [&](const char* name) { return turned(around ? vector(name) : glm::dvec3(0), 0); };
-  const glm::dvec3 turn_pivot = vector("RotationPivot");
-  const glm::dvec3 scale_pivot = vector("ScalingPivot");
-  return moved(values.translation + vector("RotationOffset") + turn_pivot) * around_turn("PreRotation") *
-         turned(values.rotation, order) * glm::transpose(around_turn("PostRotation")) *
-         moved(vector("ScalingOffset") + scale_pivot - turn_pivot) * scaled(values.scaling) * moved(-scale_pivot);
+  if (FbxScene::property(node, "RotationActive", 0) != 0.0 &&
+      FbxScene::property(node, "RotationSpaceForLimitOnly", 0) == 0.0) {
+    order_ = fbx_rotation_order(node);
+    before_ = turned(vector("PreRotation"), 0);
+    after_ = glm::transpose(turned(vector("PostRotation"), 0));
+  }
+  turn_offset_ = vector("RotationOffset");
+  turn_pivot_ = vector("RotationPivot");
+  scale_offset_ = vector("ScalingOffset");
+  scale_pivot_ = vector("ScalingPivot");
 }
 
-FbxLocal parts_of(const glm::dmat4& local) {
-  FbxLocal parts;
-  parts.translation = glm::dvec3(local[3]);
-  glm::dmat3 turn(local);
-  for (int i = 0; i < 3; ++i) parts.scale[i] = geometry::length(turn[i]);
-  if (glm::determinant(turn) < 0.0) parts.scale.x = -parts.scale.x;
-  for (int i = 0; i < 3; ++i) turn[i] = parts.scale[i] != 0.0 ? turn[i] / parts.scale[i] : glm::dmat3(1)[i];
-  const glm::dquat q = glm::quat_cast(turn);
+glm::dmat3 fbx_rotation(const glm::dvec3& angles, int order) { return glm::dmat3(turned(angles, order)); }
+
+glm::dvec3 fbx_angles(const glm::dmat3& m, int order) {
+  const auto& axes = k_orders[static_cast<std::size_t>(order)];
+  const int a = axes[0];
+  const int b = axes[1];
+  const int c = axes[2];
+  const double sign = (a + 1) % 3 == b ? 1.0 : -1.0;
+  glm::dvec3 angles(0);
+  const double sine = std::clamp(-sign * m[a][c], -1.0, 1.0);
+  angles[b] = base::atan2(sine, std::sqrt(std::max(0.0, 1.0 - sine * sine)));
+  if (std::abs(sine) < 1.0 - 1e-12) {
+    angles[a] = base::atan2(sign * m[b][c], m[c][c]);
+    angles[c] = base::atan2(sign * m[a][b], m[a][a]);
+  } else {
+    angles[a] = base::atan2(-sign * m[c][b], m[b][b]);
+  }
+  return angles / k_degree;
+}
+
+glm::dquat fbx_turn(const glm::dmat3& rotation) {
+  const glm::dquat q = glm::quat_cast(rotation);
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  if (length > 0.0 && std::isfinite(length))
-    parts.rotation = glm::dquat(q.w / length, q.x / length, q.y / length, q.z / length);
+  if (!(length > 0.0) || !std::isfinite(length)) return {1, 0, 0, 0};
+  return {q.w / length, q.x / length, q.y / length, q.z / length};
+}
+
+int fbx_rotation_order(const FbxObject& node) { return choice_of(FbxScene::property(node, "RotationOrder", 0), 6, 0); }
+
+bool FbxNodeTransform::has_pivots() const {
+  return turn_pivot_ != glm::dvec3(0) || scale_pivot_ != glm::dvec3(0) || scale_offset_ != glm::dvec3(0);
+}
+
+FbxLocal FbxNodeTransform::at(const FbxTransform& values) const {
+  FbxLocal parts;
+  parts.rotation = before_ * glm::dmat3(turned(values.rotation, order_)) * after_;
+  parts.scale = values.scaling;
+  parts.translation = values.translation + turn_offset_ + turn_pivot_ +
+                      parts.rotation * (scale_offset_ + scale_pivot_ - turn_pivot_ - values.scaling * scale_pivot_);
   return parts;
+}
+
+glm::dmat4 FbxLocal::matrix() const {
+  glm::dmat4 m(rotation);
+  for (int i = 0; i < 3; ++i) m[i] *= scale[i];
+  m[3] = glm::dvec4(translation, 1.0);
+  return m;
+}
+
+double FbxScene::frames_per_second() const {
+  constexpr std::array<double, 19> k_rates{30, 120,         100,         60,          50,          48,   30,
+                                           30, 30. / 1.001, 30. / 1.001, 25,          24,          1000, 24. / 1.001,
+                                           0,  96,          72,          60. / 1.001, 120. / 1.001};
+  const double rate = k_rates[static_cast<std::size_t>(choice_of(setting("TimeMode", 0), 19, 0))];
+  const double own = rate > 0.0 ? rate : setting("CustomFrameRate", 30);
+  return own >= 1.0 && own <= 1000.0 ? own : 30.0;
 }
 
 glm::dmat4 geometric_matrix(const FbxObject& node) {

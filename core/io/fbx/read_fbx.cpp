@@ -1,16 +1,22 @@
 #include "core/io/fbx/read_fbx.h"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
-#include "core/io/fbx/fbx_animations.h"
 #include "core/io/fbx/fbx_meshes.h"
+#include "core/io/fbx/fbx_notes.h"
 #include "core/io/fbx/fbx_scene.h"
-#include "core/io/fbx/fbx_tree.h"
+#include "core/io/fbx/motion/fbx_animations.h"
+#include "core/io/fbx/tree/fbx_tree.h"
 #include "core/io/model/model_formats.h"
 #include "core/rig/mirrored_triangles.h"
 
 namespace penpose::io {
 namespace {
+
+/// As in files of glTF: so many numbers, and 2.5 for each byte.
+constexpr std::size_t k_least_numbers = 2'400'000;
 
 base::Result<std::shared_ptr<const rig::Skeleton>> skeleton_of(FbxJoints& joints, const FbxMeshes& meshes) {
   if (joints.joints.empty()) return std::shared_ptr<const rig::Skeleton>();
@@ -23,6 +29,35 @@ base::Result<std::shared_ptr<const rig::Skeleton>> skeleton_of(FbxJoints& joints
   return rig::Skeleton::make(std::move(joints.joints), std::move(first), std::move(all));
 }
 
+std::set<std::int64_t> scaled_by_keys(const FbxScene& scene, const FbxTakes& takes) {
+  std::set<std::int64_t> out;
+  for (const auto& [name, take] : takes) {
+    for (const std::int64_t id : take.objects()) {
+      const FbxObject* object = scene.object(id);
+      if (object != nullptr && object->kind == "Model" &&
+          take.moves(id, "Lcl Scaling", FbxNodeTransform(*object).still().scaling))
+        out.insert(id);
+    }
+  }
+  return out;
+}
+
+/// Shapes take the values that the file and its keys give them, beyond 0 to 1 as well.
+void widen_ranges(const std::vector<document::Animation>& animations, FbxMeshes& meshes) {
+  const auto take = [&](std::size_t shape, double value) {
+    rig::Parameter& parameter = meshes.shapes[shape].parameter;
+    parameter.minimum = std::min(parameter.minimum, value);
+    parameter.maximum = std::max(parameter.maximum, value);
+  };
+  for (std::size_t i = 0; i < meshes.values.size(); ++i) take(i, meshes.values[i]);
+  for (const document::Animation& animation : animations) {
+    for (const document::Channel& channel : animation.channels) {
+      if (channel.target != document::ChannelTarget::weights) continue;
+      for (std::size_t i = 0; i < channel.values.size(); ++i) take(i % meshes.shapes.size(), channel.values[i]);
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<document::Model> read_fbx(base::Bytes bytes, const FileResolver&) {
@@ -30,12 +65,17 @@ base::Result<document::Model> read_fbx(base::Bytes bytes, const FileResolver&) {
   if (!tree) return tree.error();
   const auto scene = FbxScene::make(*tree);
   if (!scene) return scene.error();
-  auto joints = read_fbx_joints(*scene);
-  if (!joints) return joints.error();
   std::vector<std::string> notes;
-  auto meshes = read_fbx_meshes(*scene, *joints, notes);
+  const FbxTakes takes = fbx_takes(*scene);
+  FbxPlaces places(*scene, scaled_by_keys(*scene, takes));
+  auto joints = read_fbx_joints(*scene, places, takes);
+  if (!joints) return joints.error();
+  auto meshes = read_fbx_meshes(*scene, places, *joints, notes);
   if (!meshes) return meshes.error();
-  auto animations = read_fbx_animations(*scene, *joints, meshes->shapes);
+  auto animations =
+      read_fbx_animations(*scene, takes, places, *joints, *meshes, k_least_numbers + bytes.size() / 2 * 5, notes);
+  widen_ranges(animations, *meshes);
+  add_fbx_notes(*scene, notes);
   const std::size_t vertices = meshes->source.positions.size();
   auto skeleton = skeleton_of(*joints, *meshes);
   if (!skeleton) return skeleton.error();

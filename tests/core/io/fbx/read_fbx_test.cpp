@@ -6,7 +6,8 @@
 
 #include "core/base/byte_writer.h"
 #include "core/base/math.h"
-#include "core/io/fbx/fbx_tree.h"
+#include "core/document/time/animation_sampling.h"
+#include "core/io/fbx/tree/fbx_tree.h"
 #include "core/io/model/model_formats.h"
 
 namespace penpose::io {
@@ -277,27 +278,33 @@ TEST(ReadFbx, TheSkinFollowsTheJointsAsTheFileShowsThem) {
   expect_near(posed[3], {0, 1.5, 0.1});
 }
 
-TEST(ReadFbx, AShapeBetweenOthersIsWhatItAddsToItsShare) {
+TEST(ReadFbx, AShapeBetweenOthersIsAControlOfItsOwn) {
   const auto model = read_fbx(bytes_of(k_text), {}).value();
   ASSERT_TRUE(model.shapes);
   ASSERT_EQ(model.shapes->shapes().size(), 2U);
   EXPECT_EQ(model.shapes->shapes()[0].parameter.name, "smile");
-  EXPECT_EQ(model.pose[0], 0.25);
   const rig::BlendShape& half = model.shapes->shapes()[1];
   EXPECT_EQ(half.parameter.name, "smile_50");
-  ASSERT_EQ(half.vertices, (std::vector<std::uint32_t>{2, 3}));
-  EXPECT_NEAR(half.deltas[0].x, 0.03, 1e-7);
-  EXPECT_NEAR(half.deltas[1].y, -0.01, 1e-7);
+  ASSERT_EQ(half.vertices, (std::vector<std::uint32_t>{2}));
+  EXPECT_NEAR(half.deltas[0].x, 0.04, 1e-7);
+  // 25 % are half of what is there at 50 %.
+  EXPECT_EQ(model.pose[0], 0.0);
+  EXPECT_EQ(model.pose[1], 0.5);
   ASSERT_EQ(model.notes.size(), 1U);
+  EXPECT_NE(model.notes[0].find("smile_50"), std::string::npos);
 }
 
-TEST(ReadFbx, KeysOfShapesAreAnAnimation) {
+TEST(ReadFbx, KeysOfAChannelGoThroughItsShapes) {
   const auto model = read_fbx(bytes_of(k_text), {}).value();
   ASSERT_EQ(model.animations.size(), 1U);
   EXPECT_EQ(model.animations[0].name, "Take 001");
   const document::Channel& channel = model.animations[0].channels.at(0);
-  EXPECT_EQ(channel.times_s, (std::vector<double>{0, 1}));
-  EXPECT_EQ(channel.values, (std::vector<double>{0, 0, 1, 0}));
+  EXPECT_EQ(channel.times_s, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(channel.values, (std::vector<double>{0, 0, 0, 1, 1, 0}));
+  // 75 % are half of each.
+  const std::vector<double> late = document::sample_channel(channel, 2, 0.75);
+  EXPECT_NEAR(late[0], 0.5, 1e-12);
+  EXPECT_NEAR(late[1], 0.5, 1e-12);
 }
 
 TEST(ReadFbx, RotationsHaveAnotherOrderAndOthersAroundThemOnlyWhereTheyAreActive) {

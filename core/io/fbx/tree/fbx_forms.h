@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/io/fbx/fbx_tree.h"
+#include "core/io/fbx/tree/fbx_tree.h"
 
 namespace penpose::io {
 

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "core/base/text/letters.h"
-#include "core/io/fbx/fbx_forms.h"
+#include "core/io/fbx/tree/fbx_forms.h"
 #include "core/io/remedies.h"
 
 namespace penpose::io {

@@ -1,7 +1,7 @@
 #include <optional>
 #include <zlib.h>
 
-#include "core/io/fbx/fbx_forms.h"
+#include "core/io/fbx/tree/fbx_forms.h"
 #include "core/io/remedies.h"
 
 namespace penpose::io {

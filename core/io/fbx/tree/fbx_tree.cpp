@@ -1,9 +1,9 @@
-#include "core/io/fbx/fbx_tree.h"
+#include "core/io/fbx/tree/fbx_tree.h"
 
 #include <algorithm>
 
 #include "core/base/text/letters.h"
-#include "core/io/fbx/fbx_forms.h"
+#include "core/io/fbx/tree/fbx_forms.h"
 
 namespace penpose::io {
 namespace {
