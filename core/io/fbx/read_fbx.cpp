@@ -9,6 +9,7 @@
 #include "core/io/fbx/fbx_scene.h"
 #include "core/io/fbx/motion/fbx_animations.h"
 #include "core/io/fbx/tree/fbx_tree.h"
+#include "core/io/fbx/write/write_fbx.h"
 #include "core/io/model/model_formats.h"
 #include "core/rig/mirrored_triangles.h"
 
@@ -103,7 +104,10 @@ ModelFormat fbx_format() {
   return {.name = "FBX",
           .extension = ".fbx",
           .looks_like = [](base::Bytes bytes) { return is_binary_fbx(bytes) || is_text_fbx(bytes); },
-          .read = read_fbx};
+          .read = read_fbx,
+          .write = write_fbx,
+          .holds = "Meshes, shapes, joints, animations",
+          .detail = "For engines and other programs; without textures"};
 }
 
 }  // namespace penpose::io

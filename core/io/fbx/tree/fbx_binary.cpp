@@ -7,6 +7,10 @@
 namespace penpose::io {
 namespace {
 
+constexpr std::size_t k_least_unpacked = std::size_t{1} << 20;
+/// Times the size of the file.
+constexpr std::size_t k_most_unpacked = 40;
+
 constexpr std::size_t k_most_fbx_bytes = std::size_t{512} << 20;
 constexpr std::uint32_t k_long_offsets = 7500;  ///< from this version on offsets have 64 bits
 
@@ -153,6 +157,9 @@ class BinaryReader {
     if (*packed != 0) {
       // Deflate packs no more than 1032 to one.
       if (bytes / 1032 > raw->size()) return cut();
+      unpacked_ += bytes;
+      if (unpacked_ > k_least_unpacked + k_most_unpacked * bytes_.size())
+        return base::Error{"the arrays of the file unpack to more than 40 times its size", place(), "simplify it"};
       plain.resize(bytes);
       uLongf got = static_cast<uLongf>(bytes);
       if (::uncompress(plain.data(), &got, raw->data(), static_cast<uLong>(raw->size())) != Z_OK || got != bytes)
@@ -180,6 +187,7 @@ class BinaryReader {
   base::ByteReader reader_;
   bool long_ = false;
   std::size_t used_ = 0;
+  std::size_t unpacked_ = 0;  ///< bytes
 };
 
 }  // namespace

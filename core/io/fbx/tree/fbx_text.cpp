@@ -8,6 +8,9 @@
 namespace penpose::io {
 namespace {
 
+/// A file has no more records than these, and one for so many bytes.
+constexpr std::size_t k_least_records = 1000, k_bytes_a_record = 8;
+
 class TextReader {
  public:
   explicit TextReader(base::Bytes bytes) : text_(base::without_mark(base::as_text(bytes))) {}
@@ -70,6 +73,7 @@ class TextReader {
       }
       const std::size_t colon = text_.find_first_of(":\n{}", at_);
       if (colon == std::string_view::npos || text_[colon] != ':') return damaged("a record has no name");
+      if (++records_ > k_least_records + text_.size() / k_bytes_a_record) return damaged("it has too many records");
       FbxRecord record;
       record.name = text_.substr(at_, colon - at_);
       at_ = colon + 1;
@@ -167,6 +171,7 @@ class TextReader {
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
+  std::size_t records_ = 0;
 };
 
 }  // namespace

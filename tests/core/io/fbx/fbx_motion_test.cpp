@@ -273,6 +273,14 @@ TEST(FbxMotion, KeysFarApartTakeLittle) {
   EXPECT_NE(model.notes.back().find("fewer keys"), std::string::npos);
 }
 
+TEST(FbxMotion, RecordsOfNothingAreRefused) {
+  std::string text = "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n";
+  for (int i = 0; i < 100'000; ++i) text += ":\n";
+  const auto refused = read_fbx(std::vector<std::uint8_t>(text.begin(), text.end()), {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("too many records"), std::string::npos);
+}
+
 TEST(FbxMotion, WhatIsNotReadIsSaid) {
   const auto model = Text()
                          .model(1, "face", "Mesh")
