@@ -12,7 +12,9 @@ import numpy as np  # noqa: E402
 import trial  # noqa: E402
 
 desk.install(desk.ARGUMENTS[0])
+import made  # noqa: E402
 from penpose_blender import drawing, placing, recording  # noqa: E402
+from penpose_blender.controls import Refused  # noqa: E402
 from penpose_blender.library import Character  # noqa: E402
 
 SAME, SHOWN = 1e-6, 1e-5
@@ -133,6 +135,30 @@ class Posing(unittest.TestCase):
             drawing.delete(obj)
             self.reset(obj)
         self.assertGreater(drawn, 4)
+
+    def test_a_rig_that_changes_between_target_and_solve(self):
+        made.empty_file()
+        obj = made.plate()
+        for name in ('up', 'up too'):
+            made.add_key(obj, name, (0, 0, 0.3), middle=(0, 0.5))
+        line = made.row(obj, 0.5)
+        curve = placing.place_curve(obj, line)
+
+        def lift():
+            known = drawing.known(obj)
+            placing.place_target(obj, curve, known.rig.character.positions(known.numbers[curve]) + [0, 0.2, 0])
+        keys = obj.data.shape_keys.key_blocks
+        lift()
+        keys['up'].mute = True
+        self.assertEqual([c.name for c in placing.solve(obj)], ['up too'])
+        keys['up too'].value = 0
+        keys['up'].mute = False
+        lift()
+        keys['up too'].slider_max = 0.01
+        self.assertIn('up', [c.name for c in placing.solve(obj)])
+        drawing.delete(obj, curve)
+        with self.assertRaisesRegex(Refused, 'Plate has no curve'):
+            placing.place_target(obj, curve, np.zeros((len(line), 3)))
 
     def reset(self, obj):
         for key in obj.data.shape_keys.key_blocks[1:]:

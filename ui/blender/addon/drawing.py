@@ -110,7 +110,7 @@ class Stroke:
             self._keep_curve(obj, px)
             return []
         try:
-            self._settle(obj, px, pressure)
+            moved = self._settle(obj, px, pressure)
         except Error as problem:
             self.cancel(obj)
             raise Refused('the target on %s: %s' % (obj.name, problem)) from None
@@ -122,7 +122,6 @@ class Stroke:
         target = {'view': vars(view), 'px': px.tolist(), 'pressure': [] if pressure is None else pressure.tolist()}
         change(obj, self.curve, lambda curve: curve.update(target=target) or curve)
         self.known.kept = on_parts.texts(obj)
-        moved = self.known.rig.changed_from(self.kept)
         self.keyed = keys.key(moved, said=self.known.said)
         return moved
 
@@ -137,7 +136,7 @@ class Stroke:
     def _settle(self, obj, px, pressure):
         def solve(character, numbers):
             character.draw_target(numbers[self.curve], self.seen.view, px, pressure)
-        settle(obj, self.known, solve, [Aim(self.curve, self.seen.view, px)])
+        return settle(obj, self.known, solve, [Aim(self.curve, self.seen.view, px)])
 
 
 def _length(line):
@@ -145,14 +144,19 @@ def _length(line):
 
 
 def settle(obj, one, solve, aims=()):
-    """Solves for the character and shows it in Blender. Where controls are measured, what is meant is brought to the lines, again from where
-    it went while Blender answers otherwise, for what is measured holds near the pose it was measured at. `aims`: of this stroke."""
-    rig, limit = one.rig, chosen(obj)
+    """Solves for the character, which has Blender's pose, and shows it there. `aims`: of this stroke. The controls that moved."""
+    rig = one.rig
     if not rig.measured:
-        one.limit(obj, limit)
-        solve(rig.character, one.numbers)
-        _settle_taken(rig, one, solve)
-        return
+        return _settle_taken(obj, one, solve)
+    kept = rig.kept()
+    _settle_measured(obj, one, solve, aims)
+    return rig.changed_from(kept)
+
+
+def _settle_measured(obj, one, solve, aims):
+    """What is meant is brought to the lines, again from where it went while Blender answers otherwise, for what is measured holds near the
+    pose it was measured at."""
+    rig, limit = one.rig, chosen(obj)
     held = [Aim(c['id'], points=rig.character.positions(one.numbers[c['id']])) for c in curves(obj)
             if c['role'] == 'constraint' and c['id'] in one.numbers]
     own = {aim.curve for aim in aims}
@@ -179,15 +183,21 @@ def settle(obj, one, solve, aims=()):
         bring_curves(one, obj)
 
 
-def _settle_taken(rig, one, solve):
+def _settle_taken(obj, one, solve):
+    rig, touched = one.rig, []
+    one.limit(obj, chosen(obj))
+    start = since = rig.character.pose
     for _ in range(ROUNDS):
-        moved = rig.apply(rig.character.pose)
+        solve(rig.character, one.numbers)
+        moved = rig.apply(rig.character.pose, since)
+        touched += [control for control in moved if not any(control is known for known in touched)]
         if not moved or not rig.answers_otherwise() or rig.shows():
-            return
+            break
         # Locks and limits left another pose.
         rig.take_pose()
+        since = rig.character.pose
         rig.only(moved)
-        solve(rig.character, one.numbers)
+    return rig.moved_from(start + rig.offsets, touched)
 
 
 def _read(obj, one, solve, aims):
@@ -218,10 +228,7 @@ def _solve(one, solve):
 def solve_again(obj, preset=Preset.DEFAULT, wholly=True):
     """Brings all curves to their targets from the pose as it is. `wholly`: as of known(). The controls that moved."""
     one = known(obj, wholly)
-    one.rig.take_pose()
-    kept = one.rig.kept()
-    settle(obj, one, lambda character, numbers: character.solve(preset))
-    moved = one.rig.changed_from(kept)
+    moved = settle(obj, one, lambda character, numbers: character.solve(preset))
     keys.key(moved)
     return moved
 

@@ -98,7 +98,7 @@ def _rounded(matrix):
 
 def _places(points):
     """Some of them, for all are many."""
-    return tuple(tuple(points[i].co) for i in range(0, len(points), max(1, len(points) // 12)))
+    return [points[i].co[:] for i in range(0, len(points), max(1, len(points) // 12))]
 
 
 def shapes(obj):
@@ -144,7 +144,7 @@ def _part_signature(part, first):
     else:
         base = armature or first
         lies = _rounded(part.matrix_world.to_3x3()) if part == first else (), _rounded(base.matrix_world.inverted() @ part.matrix_world)
-    return (versions.uid(part), versions.uid(data), part.visible_get(), len(data.polygons), len(data.loops), hash(coordinates.tobytes()),
+    return (versions.uid(part), versions.uid(data), part.visible_get(), len(data.polygons), len(data.loops), coordinates.tobytes(),
             _key_signature(data.shape_keys) if data.shape_keys else (), tuple((m.type, m.show_viewport) for m in part.modifiers),
             tuple(g.name for g in part.vertex_groups), lies, versions.uid(armature) if armature else None,
             len(part.animation_data.drivers) if part.animation_data else 0)

@@ -4,6 +4,7 @@ import numpy as np
 from . import curves, drawing
 from .controls import Refused
 from .library import Preset, Role
+from .rig import check
 
 
 def place_curve(obj, vertices, role='reference'):
@@ -16,10 +17,14 @@ def place_curve(obj, vertices, role='reference'):
 
 def place_target(obj, curve, points):
     """Says where each point of a reference should go: (n, 3) in the character's space (space.Space). Nothing moves before solve()."""
-    one = drawing.known(obj)
+    one = drawing.of(obj)
+    if one is None or one.kept != curves.texts(obj):
+        one = drawing.known(obj)
+    check(obj)
     found = next((c for c in curves.curves(obj) if c['id'] == curve), None)
     if found is None or curve not in one.numbers:
         raise Refused('%s has no curve %s' % (obj.name, curve))
+    # Whether the rig is what it was is asked by solve().
     one.rig.character.target(one.numbers[curve], points)
     places = curves.to_owner(one.rig.surface, found.owner, points)
     curves.change(obj, curve, lambda kept: kept.update(target={'points': places.tolist()}) or kept)

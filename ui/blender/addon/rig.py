@@ -158,7 +158,7 @@ class Rig:
         self._lock()
 
     def holds(self):
-        """Whether what was measured, or the ranges that were taken, are those of what Blender has now."""
+        """Whether what was measured, or the ranges that were taken, are those of what Blender has now; the character takes its pose."""
         if self.measured and self.found is None:
             shown = self.surface.look()
             return shown is None and self.shown is None or \
@@ -166,7 +166,7 @@ class Rig:
         if self.measured:
             self.take_pose()
             return self.shown is None or self.shows()
-        values = self.pose() - self.offsets
+        values = self.take_pose()
         return bool((values >= self.least - TINY).all() and (values <= self.most + TINY).all())
 
     def _lock(self, may_move=None):
@@ -234,10 +234,11 @@ class Rig:
         return np.array([value for control, _, _ in self.parts for value in _listed(control.get())])
 
     def take_pose(self):
-        """Tells the character what Blender has, where that differs."""
+        """Tells the character what Blender has, where that differs; that, as it is."""
         now = self.pose() - self.offsets
         if np.abs(now - self.character.pose).max(initial=0.0) > TINY:
             self.character.pose = np.clip(now, self.least, self.most)
+        return now
 
     def apply(self, values, since=None):
         """Sets Blender's controls to a pose of the character; those that it leaves alone are not touched. `since`: a pose that they
@@ -258,10 +259,10 @@ class Rig:
         """What give_back() brings back to the bit."""
         return [(control, control.kept(), control.get()) for control, _, free in self.parts if free]
 
-    def moved_from(self, pose):
-        """The controls that differ from an earlier pose() of the same parameters."""
-        now = self.pose()
-        return [control for control, numbers, _ in self.parts if np.abs(now[numbers] - pose[numbers]).max() > TINY]
+    def moved_from(self, pose, among=None):
+        """The controls that differ from an earlier pose() of the same parameters. `among`: only these are looked at."""
+        return [control for control, numbers, _ in self.parts if (among is None or any(control is one for one in among)) and
+                max(abs(a - pose[n]) for a, n in zip(_listed(control.get()), numbers)) > TINY]
 
     def changed_from(self, kept):
         """The controls that differ from an earlier kept()."""
