@@ -62,7 +62,7 @@ class Wanted {
       std::size_t depth = 0;
       for (const FbxObject* one = &object; one != nullptr && ++depth < k_deepest_fbx_node;
            one = scene.parent_of(*one)) {
-        if (posable.contains(one->id) || is_moved(*one, takes)) {
+        if (posable.contains(one->id) || is_moved_node(*one, takes)) {
           leaves.insert(apart ? object.id : one->id);
           const FbxObject* above = scene.parent_of(*one);
           if (meshes > 1 && one == &object && above != nullptr && has_mesh(*above)) posable.insert(one->id);
@@ -86,6 +86,11 @@ class Wanted {
   [[nodiscard]] bool has_mesh(const FbxObject& node) const {
     return !scene_.parts_of(node.id, "Geometry", "Mesh").empty();
   }
+  bool is_moved_node(const FbxObject& node, const FbxTakes& takes) {
+    const auto [at, is_new] = moved_.try_emplace(node.id, false);
+    if (is_new) at->second = is_moved(node, takes);
+    return at->second;
+  }
   bool add(std::int64_t id) {
     std::vector<const FbxObject*> way;
     const FbxObject* node = scene_.object(id);
@@ -101,6 +106,7 @@ class Wanted {
     return true;
   }
   const FbxScene& scene_;
+  std::map<std::int64_t, bool> moved_;
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ const FbxPlaces::Place& FbxPlaces::of(const FbxObject& node) {
     const FbxObject* above = scene_.parent_of(one);
     const auto parent = above == nullptr ? places_.end() : places_.find(above->id);
     FbxLocal local = FbxNodeTransform(one).local();
+    place.local = local.matrix();
     place.varies = scaled_.contains(one.id);
     if (parent == places_.end()) {
       place.full = local.matrix();

@@ -22,6 +22,7 @@ class FbxPlaces {
   FbxPlaces(const FbxScene& scene, std::set<std::int64_t> scaled) : scene_(scene), scaled_(std::move(scaled)) {}
 
   struct Place {
+    glm::dmat4 local{1};     ///< in the node above, by itself
     glm::dmat4 full{1};      ///< of what it carries
     glm::dmat4 unscaled{1};  ///< without its own scale, for what does not take it
     glm::dvec3 scale{1};     ///< its own, and that which it takes apart

@@ -124,7 +124,7 @@ class SkinReader {
     glm::dmat4 below(1);
     std::size_t depth = 0;
     while (carrier != nullptr && !joints_.number.contains(carrier->id) && ++depth < k_deepest_fbx_node) {
-      below = FbxNodeTransform(*carrier).local().matrix() * below;
+      below = places_.of(*carrier).local * below;
       carrier = scene_.parent_of(*carrier);
     }
     const auto at = carrier == nullptr ? joints_.number.end() : joints_.number.find(carrier->id);

@@ -107,7 +107,7 @@ ModelFormat fbx_format() {
           .read = read_fbx,
           .write = write_fbx,
           .holds = "Meshes, shapes, joints, animations",
-          .detail = "For engines and other programs; without textures"};
+          .detail = "For engines and other programs; pictures lie beside it"};
 }
 
 }  // namespace penpose::io

@@ -106,7 +106,7 @@ void add_options(const Command& command, ConvertArguments& arguments) {
                      "Files, or folders of files, that each show one blend shape; their names become its name");
   command.add_option("--set", arguments.assignments,
                      "NAME=VALUE: a parameter of the pose, or an expression; may be given many times");
-  command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
+  command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file, or of turns in an .fbx file")
       .check(number_range(0.1, 1000.0), "0.1 to 1000")
       .show_default();
   command.add_flag("--plain-textures", arguments.write.plain_textures,
@@ -120,7 +120,7 @@ void add_options(const Command& command, ConvertArguments& arguments) {
 Subcommand convert_subcommand() {
   return subcommand<ConvertArguments>(
       "convert", files::Rights::no_programs,
-      "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV", add_options, run_convert,
+      "Converts a model to GLB or FBX, to OBJ at its pose, or its animation to ARKit CSV", add_options, run_convert,
       {"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
       {"penpose convert posed.glb posed.obj", "the pose as it stands"},
       {{"OUT", Completes::files, io::extensions_written()}});

@@ -9,15 +9,20 @@
 namespace penpose::io {
 namespace {
 
-constexpr double k_most_moments = 100'000;
-
-/// Its keys, and every frame in between where `dense`.
-std::vector<double> moments_between(const document::Channel& channel, bool dense, double fps) {
+/// Its keys, and every frame in between where `dense` and there is room for them.
+std::vector<double> moments_between(const document::Channel& channel, bool dense, FbxFrames& frames) {
   std::vector<double> times = channel.times_s;
-  if (dense && times.size() > 1 && fps > 0.0) {
-    const double last = std::min(times.back() * fps, times.front() * fps + k_most_moments);
-    for (double frame = std::floor(times.front() * fps) + 1.0; frame < last; ++frame) times.push_back(frame / fps);
-    std::stable_sort(times.begin(), times.end());
+  if (dense && times.size() > 1 && frames.a_second > 0.0) {
+    const double count = (times.back() - times.front()) * frames.a_second;
+    if (count <= frames.left) {
+      frames.left -= count;
+      const double last = times.back() * frames.a_second;
+      for (double frame = std::floor(times.front() * frames.a_second) + 1.0; frame < last; ++frame)
+        times.push_back(frame / frames.a_second);
+      std::stable_sort(times.begin(), times.end());
+    } else {
+      frames.fewer = true;
+    }
   }
   times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < 1e-6; }), times.end());
   return times;
@@ -54,11 +59,11 @@ FbxKeys::Local FbxKeys::at(const rig::Joint& joint, const glm::dvec3& turn) {
   return {joint.translation, fbx_angles(rotation_of(joint.rest_rotation) * own, 0), joint.scale};
 }
 
-FbxKeys FbxKeys::of_weight(const document::Channel& channel, std::size_t width, std::size_t weight, double fps) {
+FbxKeys FbxKeys::of_weight(const document::Channel& channel, std::size_t width, std::size_t weight, FbxFrames& frames) {
   FbxKeys keys;
   keys.steps = channel.interpolation == document::Interpolation::step;
   for (const double time_s :
-       moments_between(channel, channel.interpolation == document::Interpolation::cubic_spline, fps)) {
+       moments_between(channel, channel.interpolation == document::Interpolation::cubic_spline, frames)) {
     const auto values = document::sample_channel(channel, width, time_s);
     if (weight >= values.size()) return {};
     keys.ticks.push_back(ticks_of(time_s));
@@ -67,13 +72,13 @@ FbxKeys FbxKeys::of_weight(const document::Channel& channel, std::size_t width, 
   return keys;
 }
 
-FbxKeys FbxKeys::of_joint(const document::Channel& channel, double fps) {
+FbxKeys FbxKeys::of_joint(const document::Channel& channel, FbxFrames& frames) {
   FbxKeys keys;
   keys.steps = channel.interpolation == document::Interpolation::step;
   const bool turns = channel.target == document::ChannelTarget::rotation;
   const bool dense = !keys.steps && (turns || channel.interpolation == document::Interpolation::cubic_spline);
   glm::dvec3 before(0);
-  for (const double time_s : moments_between(channel, dense, fps)) {
+  for (const double time_s : moments_between(channel, dense, frames)) {
     const auto values = document::sample_channel(channel, turns ? 4 : 3, time_s);
     if (values.size() < 3) return {};
     glm::dvec3 now(values[0], values[1], values[2]);

@@ -10,6 +10,7 @@
 
 #include "core/document/look.h"
 #include "core/io/fbx/write/fbx_keys.h"
+#include "core/io/fbx/write/fbx_pictures.h"
 #include "core/io/fbx/write/fbx_writer.h"
 
 namespace penpose::io {
@@ -17,7 +18,11 @@ namespace {
 
 class Writer {
  public:
-  Writer(const document::Model& model, const WriteOptions& options) : model_(model), options_(options) {}
+  Writer(const document::Model& model, const WriteOptions& options, WriteReport& report)
+      : model_(model), options_(options), pictures_(model, options, report) {
+    frames_.a_second = options.fps;
+  }
+  [[nodiscard]] bool has_fewer_frames() const { return frames_.fewer; }
 
   std::vector<std::uint8_t> write() {
     add_settings();
@@ -132,30 +137,104 @@ class Writer {
     file_.entry("GeometryVersion", 124);
     file_.begin("Vertices").numbers(places).end();
     file_.begin("PolygonVertexIndex").wholes(corners).end();
-    const bool colored = number < model_.materials.size();
-    if (colored) {
-      file_.begin("LayerElementMaterial").whole(0).entry("Version", 101).entry("Name", "");
-      file_.entry("MappingInformationType", "AllSame").entry("ReferenceInformationType", "IndexToDirect");
-      file_.begin("Materials").wholes(std::array<std::int32_t, 1>{0}).end().end();
-      file_.begin("Layer").whole(0).entry("Version", 100).begin("LayerElement");
-      file_.entry("Type", "LayerElementMaterial").entry("TypedIndex", 0).end().end();
-    }
+    const Surfaces surfaces = surfaces_of(part, number);
+    if (!surfaces.all.empty()) add_layers(part, surfaces);
     file_.end();
     link(geometry, node);
-    if (colored) add_material(model_.materials[number], node);
+    for (const document::Surface& surface : surfaces.all) add_material(surface, node);
     add_skin(part, geometry);
     add_shapes(part, geometry);
   }
 
-  void add_material(const document::Material& material, std::int64_t node) {
+  struct Surfaces {
+    std::vector<document::Surface> all;
+    std::vector<std::int32_t> of_triangles;
+  };
+  /// What the triangles of a part look like.
+  [[nodiscard]] Surfaces surfaces_of(const mesh::Part& part, std::size_t number) const {
+    Surfaces out;
+    out.of_triangles.assign(part.triangle_count, 0);
+    if (model_.look == nullptr || model_.look->surface_of.size() != model_.mesh->triangles().size()) {
+      if (number >= model_.materials.size()) return out;
+      document::Surface surface;
+      surface.name = model_.materials[number].name;
+      surface.base_color = model_.materials[number].base_color;
+      out.all.push_back(std::move(surface));
+      return out;
+    }
+    std::map<std::uint32_t, std::int32_t> known;
+    for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+      const std::uint32_t surface = model_.look->surface_of[part.first_triangle + t];
+      const auto [at, is_new] = known.try_emplace(surface, static_cast<std::int32_t>(out.all.size()));
+      if (is_new && surface < model_.look->surfaces.size()) out.all.push_back(model_.look->surfaces[surface]);
+      if (is_new && surface >= model_.look->surfaces.size()) out.all.emplace_back();
+      out.of_triangles[t] = at->second;
+    }
+    return out;
+  }
+
+  void begin_layer(const char* kind, const char* mapping, const char* reference) {
+    file_.begin(kind).whole(0).entry("Version", 101).entry("Name", "map1");
+    file_.entry("MappingInformationType", mapping).entry("ReferenceInformationType", reference);
+  }
+
+  /// Texture coordinates and materials.
+  void add_layers(const mesh::Part& part, const Surfaces& surfaces) {
+    std::vector<const char*> kinds{"LayerElementMaterial"};
+    if (model_.look != nullptr && model_.look->coordinates[0].size() == model_.mesh->positions().size()) {
+      kinds.push_back("LayerElementUV");
+      std::vector<double> places;
+      std::vector<std::int32_t> corners;
+      for (std::uint32_t v = 0; v < part.vertex_count; ++v) {
+        const auto& at = model_.look->coordinates[0][part.first_vertex + v];
+        // Up from the lower edge of the picture.
+        places.insert(places.end(), {double{at[0]}, 1.0 - double{at[1]}});
+      }
+      for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+        for (const std::uint32_t v : model_.mesh->triangles()[t])
+          corners.push_back(static_cast<std::int32_t>(v - part.first_vertex));
+      }
+      begin_layer("LayerElementUV", "ByPolygonVertex", "IndexToDirect");
+      file_.begin("UV").numbers(places).end().begin("UVIndex").wholes(corners).end().end();
+    }
+    const bool one = surfaces.all.size() == 1;
+    begin_layer("LayerElementMaterial", one ? "AllSame" : "ByPolygon", "IndexToDirect");
+    if (one) {
+      file_.begin("Materials").wholes(std::array<std::int32_t, 1>{0}).end().end();
+    } else {
+      file_.begin("Materials").wholes(surfaces.of_triangles).end().end();
+    }
+    file_.begin("Layer").whole(0).entry("Version", 100);
+    for (const char* kind : kinds) file_.begin("LayerElement").entry("Type", kind).entry("TypedIndex", 0).end();
+    file_.end();
+  }
+
+  void add_material(const document::Surface& surface, std::int64_t node) {
     const std::int64_t id = next();
-    object("Material", id, material.name, "Material", "").entry("Version", 102).entry("ShadingModel", "Phong");
+    object("Material", id, surface.name, "Material", "").entry("Version", 102).entry("ShadingModel", "Phong");
     file_.entry("MultiLayer", 0).begin("Properties70");
-    vector("DiffuseColor", "Color", {material.base_color[0], material.base_color[1], material.base_color[2]});
+    vector("DiffuseColor", "Color", {surface.base_color[0], surface.base_color[1], surface.base_color[2]});
     property("DiffuseFactor", "Number", "", 1);
-    property("Opacity", "Number", "", material.base_color[3]);
+    property("Opacity", "Number", "", surface.base_color[3]);
     file_.end().end();
     link(id, node);
+    if (surface.texture && surface.texture->coordinates == 0) add_texture(*surface.texture, id);
+  }
+
+  /// The picture lies beside the file.
+  void add_texture(const document::TextureUse& use, std::int64_t material) {
+    if (use.image >= model_.look->images.size()) return;
+    const std::string name = pictures_.name_of(use.image);
+    if (name.empty()) return;
+    const std::int64_t texture = next();
+    const std::int64_t video = next();
+    object("Texture", texture, name, "Texture", "").entry("Type", "TextureVideoClip").entry("Version", 202);
+    file_.entry("TextureName", FbxWriter::named(name, "Texture")).entry("Media", FbxWriter::named(name, "Video"));
+    file_.entry("FileName", name).entry("RelativeFilename", name).begin("Properties70").end().end();
+    object("Video", video, name, "Video", "Clip").entry("Type", "Clip").begin("Properties70").end();
+    file_.entry("UseMipMap", 0).entry("Filename", name).entry("RelativeFilename", name).end();
+    link(texture, material, "DiffuseColor");
+    link(video, texture);
   }
 
   void add_skin(const mesh::Part& part, std::int64_t geometry) {
@@ -268,13 +347,13 @@ class Writer {
     if (channel.target == document::ChannelTarget::weights) {
       const std::size_t width = document::weight_count(model_);
       for (const auto& [shape, objects] : channels_) {
-        const FbxKeys keys = FbxKeys::of_weight(channel, width, shape, options_.fps);
+        const FbxKeys keys = FbxKeys::of_weight(channel, width, shape, frames_);
         if (!keys.ticks.empty()) add_curves(layer, keys, objects, "DeformPercent", {"d|DeformPercent"});
       }
       return;
     }
     if (channel.joint >= joints_.size()) return;
-    const FbxKeys keys = FbxKeys::of_joint(channel, options_.fps);
+    const FbxKeys keys = FbxKeys::of_joint(channel, frames_);
     if (keys.ticks.empty()) return;
     const char* name = channel.target == document::ChannelTarget::translation ? "Lcl Translation"
                        : channel.target == document::ChannelTarget::rotation  ? "Lcl Rotation"
@@ -284,6 +363,8 @@ class Writer {
 
   const document::Model& model_;
   const WriteOptions& options_;
+  FbxPictures pictures_;
+  FbxFrames frames_;
   FbxWriter file_;
   std::vector<Link> links_;
   std::vector<std::int64_t> joints_;
@@ -299,11 +380,13 @@ base::Result<std::vector<std::uint8_t>> write_fbx(const document::Model& model, 
     report.notes.emplace_back(
         "sketched controls are left out of FBX: write a .glb, where they are baked, and that as .fbx");
   }
-  if (model.look != nullptr)
-    report.notes.emplace_back("textures are left out of FBX: surfaces have their colours alone");
   if (!model.expressions.empty()) report.notes.emplace_back("expressions are left out: FBX has no place for them");
   report.targets = model.shapes ? model.shapes->shapes().size() : 0;
-  return Writer(model, options).write();
+  Writer writer(model, options, report);
+  auto bytes = writer.write();
+  if (writer.has_fewer_frames())
+    report.notes.emplace_back("keys that are far apart have no frames between them: turns go another way there");
+  return bytes;
 }
 
 }  // namespace penpose::io

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/look.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/fbx/read_fbx.h"
 #include "core/io/model/model_formats.h"
@@ -97,6 +98,42 @@ TEST(WriteFbx, AnimationsPlayTheSame) {
     const auto is = document::model_at(back, document::sample(back, back.animations[0], time_s)).value();
     expect_same(is, was, 2e-5);
   }
+}
+
+TEST(WriteFbx, PicturesLieBesideTheFileThatNamesThem) {
+  auto model = figure();
+  document::Look look;
+  document::Image image;
+  image.mime_type = "image/jpeg";
+  image.bytes =
+      document::KeptBytes(std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 2, 3}));
+  look.images = {image};
+  look.surfaces.resize(2);
+  look.surfaces[1].name = "painted";
+  look.surfaces[1].texture = document::TextureUse{};
+  look.surface_of = {1, 0};
+  look.coordinates[0].assign(6, {0.25F, 0.75F});
+  model.look = std::make_shared<const document::Look>(look);
+  WriteOptions options;
+  options.stem = "face";
+  WriteReport report;
+  const auto bytes = write_fbx(model, options, report).value();
+  ASSERT_EQ(report.files.size(), 1U);
+  EXPECT_EQ(report.files.at("face_0.jpg"), (std::vector<std::uint8_t>{1, 2, 3}));
+  const std::string_view text = base::as_text(bytes);
+  EXPECT_NE(text.find("RelativeFilename"), std::string_view::npos);
+  EXPECT_NE(text.find("face_0.jpg"), std::string_view::npos);
+  const auto back = read_fbx(bytes, {}).value();
+  EXPECT_EQ(back.materials.at(0).name, "painted");
+}
+
+TEST(WriteFbx, KeysFarApartTakeLittle) {
+  auto model = figure();
+  model.animations[0].channels[1].times_s = {0, 1e6, 2e6};
+  WriteReport report;
+  EXPECT_LT(write_fbx(model, {}, report).value().size(), 100'000U);
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_NE(report.notes[0].find("far apart"), std::string::npos);
 }
 
 TEST(WriteFbx, TheNameOfTheFileAsksForIt) {
