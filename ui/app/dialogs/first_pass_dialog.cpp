@@ -38,7 +38,10 @@ const std::vector<FileKind>& texts() {
   return kinds;
 }
 const std::vector<FileKind>& cue_files() {
-  static const std::vector<FileKind> kinds{{"Cues", {".tsv", ".json", ".xml", ".dat", ".txt"}}, {"All files", {}}};
+  static const std::vector<FileKind> kinds{
+      {"Cues",
+       {".tsv", ".json", ".xml", ".dat", ".txt", ".textgrid", ".pgo", ".pg2", ".srt", ".vtt", ".marks", ".csv"}},
+      {"All files", {}}};
   return kinds;
 }
 
@@ -102,8 +105,9 @@ void show_text(PanelContext& context, const PassOwners& with) {
 }
 
 void show_cues(PanelContext& context, const PassOwners& with) {
-  ImGui::TextWrapped("%s",
-                     "Cues of Rhubarb Lip Sync (.tsv, .json, .xml) or Papagayo (.dat). They begin with the sound.");
+  ImGui::TextWrapped(
+      "%s",
+      "Cues of Rhubarb, Papagayo, Praat, Polly, Azure or Audacity, captions or words. They begin with the sound.");
   const std::string chosen = browse(context, {with.files, with.preferences, with.dialogs}, {cue_files(), 5, 2});
   if (chosen.empty()) return;
   const auto taken = with.pass.take_cues(chosen);

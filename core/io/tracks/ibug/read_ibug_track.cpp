@@ -146,7 +146,10 @@ TrackFormat ibug68_format() {
             if (text.text.find("n_points") != std::string_view::npos) return true;
             // More points than 68, and not as many as a face mesh, are no face that is known.
             if (text.has("x_68") || text.has("x68")) return false;
-            return text.has("x_0") || text.has("x0") || (text.table && text.table->header_is_row());
+            // Fewer numbers are values of controls, or the number of a caption.
+            constexpr std::size_t k_most_values = 61;
+            return text.has("x_0") || text.has("x0") ||
+                   (text.table && text.table->columns().size() > k_most_values && text.table->header_is_row());
           },
           [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_ibug_track(bytes)); }};
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/io/tracks/best_face.h"
+#include "core/io/tracks/cues/cue_file.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"
 #include "core/io/tracks/point_table.h"
@@ -157,7 +158,10 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
 TrackFormat mediapipe_format() {
   return {"mediapipe", 2, false,
           [](const TrackText& text) {
-            if (text.json) return !text.mentions("\"curves\"") && !mentions_values(text.text) && may_hold_points(text);
+            if (text.json) {
+              const bool other = mentions_values(text.text) || has_vmc(text.text) || looks_like_cues(text.text);
+              return !text.mentions("\"curves\"") && !other && may_hold_points(text);
+            }
             for (const auto* column :
                  {"landmark", "landmark_id", "landmark_index", "x_467", "x467", "landmark_467_x", "467_x"}) {
               if (text.has(column)) return true;

@@ -90,7 +90,8 @@ TEST(ReadArkit, RepeatedAndDroppedRowsDoNotSpoilTheRate) {
   for (std::size_t f = 0; f < 120; ++f) {
     EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
     EXPECT_EQ(track.frames[f].found, f % 7 != 6) << f;
-    if (track.frames[f].found) EXPECT_NEAR(track.frames[f].values[0], 0.01 * static_cast<double>(f), 1e-9);
+    const double value = track.frames[f].found ? track.frames[f].values[0] : 0.01 * static_cast<double>(f);
+    EXPECT_NEAR(value, 0.01 * static_cast<double>(f), 1e-9);
   }
 }
 

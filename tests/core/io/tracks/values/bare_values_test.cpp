@@ -15,7 +15,7 @@ using tests::bytes;
 animation::WeightTrack take_of(const std::string& text) {
   const TrackFormat* format = format_of_track(bytes(text));
   EXPECT_NE(format, nullptr) << text.substr(0, 200);
-  if (format != nullptr) EXPECT_EQ(format->name, "arkit");
+  EXPECT_EQ(format == nullptr ? "none" : format->name, "arkit");
   auto track = read_arkit_track(bytes(text));
   EXPECT_TRUE(track) << (track ? "" : track.error().line());
   return track ? std::move(track).value() : animation::WeightTrack();
