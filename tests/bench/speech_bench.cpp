@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "core/phonetics/nine_mouths.h"
 #include "core/sound/sound.h"
 #include "core/speech/closures.h"
 #include "core/speech/cues.h"
 #include "core/speech/mouth_keys.h"
-#include "core/phonetics/nine_mouths.h"
 #include "ui/speech/hear_phones.h"
 
 namespace penpose {

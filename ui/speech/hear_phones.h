@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/sound/sound.h"
 #include "core/phonetics/phones.h"
+#include "core/sound/sound.h"
 
 namespace penpose::speech {
 

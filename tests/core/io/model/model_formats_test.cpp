@@ -64,7 +64,8 @@ TEST(ModelFormats, EachIsReadOrWrittenAndHasAnExtensionOfItsOwn) {
 TEST(ModelFormats, WhatIsNotKnownIsToldWithWhatIs) {
   EXPECT_NE(read_model(base::as_bytes("hello"), "x.dae").error().remedy.find("PLY, STL"), std::string::npos);
   EXPECT_FALSE(read_model(base::as_bytes("hello"), "x.csv")) << "it is written alone";
-  EXPECT_EQ(format_to_write("x.png").error().remedy, "name the file .glb, .fbx, .gltf, .obj, .vrm, .csv, .vrma or .vmd");
+  EXPECT_EQ(format_to_write("x.png").error().remedy,
+            "name the file .glb, .fbx, .gltf, .obj, .vrm, .csv, .vrma or .vmd");
   EXPECT_FALSE(format_to_write("x.ply"));
 }
 
