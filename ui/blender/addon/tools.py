@@ -49,9 +49,14 @@ class PenposePoseTool(bpy.types.WorkSpaceTool):
 TOOLS = (PenposeTool, PenposePoseTool)
 
 
+_registered = []
+
+
 def register():
-    for tool in TOOLS:
+    # Where Blender starts without windows nothing is there yet that keeps the keys of tools.
+    for tool in TOOLS if bpy.context.window_manager.keyconfigs.addon is not None else ():
         bpy.utils.register_tool(tool, after={'builtin.measure'}, separator=True)
+        _registered.append(tool)
 
 
 def put_down():
@@ -67,5 +72,5 @@ def put_down():
 
 def unregister():
     put_down()
-    for tool in reversed(TOOLS):
-        bpy.utils.unregister_tool(tool)
+    while _registered:
+        bpy.utils.unregister_tool(_registered.pop())
