@@ -92,6 +92,14 @@ class Sides(unittest.TestCase):
         desk.draw(self.obj, 'target', self.shown, here + (0, 30), of=1)
         self.assertEqual([v > 0 for v in self.values()], [True, True])
 
+    def test_selected_only_ends_with_its_file(self):
+        state = bpy.context.window_manager.penpose
+        path = os.path.join(desk.SCRATCH, 'another.blend')
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        state.selected_only = True
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.assertFalse(bpy.context.window_manager.penpose.selected_only)
+
 
 class Linked(unittest.TestCase):
     """A character of another file."""

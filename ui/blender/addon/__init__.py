@@ -41,7 +41,8 @@ def _forget(*_):
     _loaded['recording'].end_all()
     _loaded['drawing'].forget()
     _loaded['overlay'].forget()
-    bpy.context.window_manager.penpose.curve = 0
+    pen = bpy.context.window_manager.penpose
+    pen.curve, pen.selected_only = 0, False
 
 
 _HANDLERS = [('undo_pre', _stop), ('redo_pre', _stop), ('load_pre', _stop), ('undo_post', _in_step), ('redo_post', _in_step),
