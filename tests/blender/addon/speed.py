@@ -58,7 +58,8 @@ class Speed(unittest.TestCase):
             for _ in range(PASSES if not smooth else 1):
                 ours, whole, thread, end = self.one_pass(obj, shown, line)
                 print('300 events%s, ms: ours %.2f (p99 %.2f) of the processor, with Blender %.2f (p99 %.2f), '
-                      'of its main thread %.2f (p99 %.2f); pen-up %.0f' % (' with Auto Smooth' if smooth else '', *ours, *whole, *thread, end))
+                      'of its main thread %.2f (p99 %.2f); pen-up %.0f' % (
+                          ' with Auto Smooth' if smooth else '', *ours, *whole, *thread, end))
                 best = [min(best[0], ours[1]), min(best[1], whole[1])]
         self.assertLess(best[0], OURS_MS)
         busy = os.getloadavg()[0]
