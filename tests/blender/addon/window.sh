@@ -130,6 +130,45 @@ move 560 400
 expect 'another frame gives the stroke up' ' 1 0 0 True'
 lift
 smile
+echo 'bpy.context.view_layer.objects.active.name = "Another"' | tell
+move 560 400
+lift
+expect 'a new name in mid-stroke does not end the stroke' 'mouthSmile_L,mouthSmile_R 1 1 0 True'
+xdotool key ctrl+z
+sleep 1
+tell <<'PYTHON'
+obj = bpy.context.view_layer.objects.active
+kept = bpy.data.collections.new('Character')
+kept.objects.link(obj)
+bpy.data.libraries.write(desk.SCRATCH + '/character.blend', {kept})
+bpy.data.collections.remove(kept)
+with bpy.data.libraries.load(desk.SCRATCH + '/character.blend', link=True) as (_, into):
+    into.collections = ['Character']
+empty = bpy.data.objects.new('Instance', None)
+empty.instance_type, empty.instance_collection = 'COLLECTION', into.collections[0]
+bpy.context.scene.collection.objects.link(empty)
+obj.select_set(False)
+obj.hide_set(True)
+empty.select_set(True)
+bpy.context.view_layer.objects.active = empty
+bpy.ops.ed.undo_push(message='linked')
+PYTHON
+sleep 1
+smile
+move 640 300
+lift
+found=$(tell <<'PYTHON'
+empty = bpy.context.view_layer.objects.active
+print(empty.name, *empty.location)
+bpy.data.objects.remove(empty)
+obj = next(o for o in bpy.context.view_layer.objects if o.type == 'MESH')
+obj.hide_set(False)
+obj.select_set(True)
+bpy.context.view_layer.objects.active = obj
+PYTHON
+)
+if [ "$found" = 'Instance 0.0 0.0 0.0' ]; then echo 'ok: a linked character is not dragged about'; else echo "FAILED: linked: $found"; failed=1; fi
+smile
 echo "bpy.ops.preferences.addon_disable(module='penpose_blender')" | tell >/dev/null
 move 560 400
 lift

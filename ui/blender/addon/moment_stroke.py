@@ -4,6 +4,7 @@ import numpy as np
 
 from . import arcs, curves, drawing, keys
 from .controls import TINY, Refused
+from .held import Held
 from .library import Error, Role
 from .moments import Moments
 from .rig import give_back
@@ -14,7 +15,7 @@ class MomentStroke:
     kind = 'target'
 
     def __init__(self, obj, way, curve, frame, seen):
-        self.object, self.way, self.curve, self.frame, self.seen = obj.name, way, curve, frame, seen
+        self.held, self.way, self.curve, self.frame, self.seen = Held(obj), way, curve, frame, seen
         one = drawing.known(obj)
         self.rig, self.moments = one.rig, Moments(one.rig)
         self.before = self.moments.pose(frame)
@@ -75,7 +76,7 @@ class MomentStroke:
         return moved
 
     def _key(self, moved, pose):
-        scene, kept, said = bpy.context.scene, self.rig.kept(), drawing.known(bpy.data.objects[self.object]).said
+        scene, kept, said = bpy.context.scene, self.rig.kept(), drawing.known(self.held.get()).said
         rules = keys.Rules(scene).for_all()
         unmoved = [control for control in moved if not self.moments.is_animated(control)]
         # The change stays between the neighbouring keys.

@@ -6,11 +6,13 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
 
 from . import arcs, curves, drawing, overlay, preferences, pull, recording
 from .controls import Refused
+from .held import Held
 from .library import Error
 from .lines import redraw
 from .moment_stroke import stroke_at
 from .rig import check
 from .space import seen_by
+from .tools import in_hand
 
 KINDS = [('AUTO', 'Draw', 'A reference where the feature is, then its target where it should be, in turn', 'GREASEPENCIL', 0),
          ('reference', 'Reference', 'Where the feature is, on the mesh', 'CURVE_DATA', 1),
@@ -143,14 +145,17 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         if context.area is None or context.area.type != 'VIEW_3D':
             cls.poll_message_set('The pen draws in a 3D Viewport')
             return False
-        if mesh_of(context) is None:
+        # With the tool in hand it says why not: what is left to others drags what is selected about.
+        if mesh_of(context) is None and not in_hand(context):
             cls.poll_message_set('Select the mesh to draw on')
             return False
         return True
 
     def invoke(self, context, event):
         obj = mesh_of(context)
-        self.object, self.frame, self.stroke, self.plain = obj.name, context.scene.frame_current, None, ()
+        if obj is None:
+            return self._choose(context, event)
+        self.held, self.frame, self.stroke, self.plain = Held(obj), context.scene.frame_current, None, ()
         self.kind_drawn = next_stroke(obj, self.kind, self.curve)[0]
         event = _touches.pop() if _touches else event
         if context.region is not None and context.region.type == 'WINDOW' and event.value in {'PRESS', 'CLICK_DRAG'}:
@@ -160,6 +165,17 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         self._say(context)
         context.window_manager.modal_handler_add(self)
         return {'RUNNING_MODAL'}
+
+    def _choose(self, context, event):
+        """Nothing is there to draw on: what lies below the pen is selected, as a click does, and the remedy is told."""
+        before = context.active_object
+        if context.region is not None and context.region.type == 'WINDOW' and event.type == 'LEFTMOUSE':
+            place = event.mouse_x - context.region.x, event.mouse_y - context.region.y
+            bpy.ops.view3d.select(deselect_all=True, location=place)
+        problem = why_not(context)
+        if problem:
+            self.report({'WARNING'}, problem)
+        return {'CANCELLED' if context.active_object == before else 'FINISHED'}
 
     def _press(self, context, event, region, obj):
         """The pen touches: the stroke begins. Whether it does."""
@@ -191,7 +207,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         return drawing.Stroke(obj, self.kind_drawn, seen, curve)
 
     def _say(self, context):
-        what = '%s of %s' % (self.kind_drawn.capitalize(), self.object)
+        what = '%s of %s' % (self.kind_drawn.capitalize(), self.held.name)
         context.workspace.status_text_set(what + (': lift the pen to keep it, Esc to leave no trace' if self.stroke else
                                                   ': draw it in the viewport, Esc to give up'))
 
@@ -202,7 +218,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
 
     def _object(self, context):
         """The object, while the stroke makes sense; else None."""
-        obj = bpy.data.objects.get(self.object)
+        obj = self.held.get()  # renamed it is the same
         if obj is None or context.scene.frame_current != self.frame or mesh_of(context) != obj or obj.mode not in ('OBJECT', 'POSE'):
             return None
         return obj
@@ -222,7 +238,9 @@ class PENPOSE_OT_draw(bpy.types.Operator):
     def _wait(self, context, event):
         """Until the pen touches: the operator came from a menu or a button. The view may be turned meanwhile."""
         obj = self._object(context)
-        if obj is None or event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+        if obj is None:
+            return self._give_up()
+        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
             self.leave()
             return {'CANCELLED'}
         if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or event.alt:
@@ -236,12 +254,15 @@ class PENPOSE_OT_draw(bpy.types.Operator):
         self._say(context)
         return {'RUNNING_MODAL'}
 
+    def _give_up(self):
+        self.report({'WARNING'}, 'the object, its mode or the frame changed; the stroke is given up')
+        self.leave()
+        return {'CANCELLED'}
+
     def _modal(self, context, event):
         obj = self._object(context)
         if obj is None:
-            self.report({'WARNING'}, 'the object, its mode or the frame changed; the stroke is given up')
-            self.leave()
-            return {'CANCELLED'}
+            return self._give_up()
         if event.type == 'INBETWEEN_MOUSEMOVE':
             self._take(event)
         elif event.type == 'MOUSEMOVE':
@@ -287,7 +308,7 @@ class PENPOSE_OT_draw(bpy.types.Operator):
             return
         self._normals_back()
         if self.stroke is not None:
-            self.stroke.cancel(bpy.data.objects.get(self.object))
+            self.stroke.cancel(self.held.get())
             if bpy.context.scene.frame_current != self.frame:
                 # What is animated has the values of the new frame.
                 bpy.context.scene.frame_set(bpy.context.scene.frame_current)

@@ -8,6 +8,8 @@ NAMES = {'OBJECT': 'penpose.pen', 'POSE': 'penpose.pen_in_pose'}
 
 def in_hand(context):
     """Whether the pen is the active tool."""
+    if context.workspace is None:
+        return False
     tool = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
     return tool is not None and tool.idname == NAMES.get(context.mode)
 
