@@ -59,6 +59,47 @@ class Sides(unittest.TestCase):
         self.assertEqual(bpy.ops.penpose.flip(), {'FINISHED'})
         self.assertEqual(self.values(), [0.7, 0])
 
+    def test_flip_turns_values_not_lines(self):
+        self.draw_left()
+        self.keys[0].value, self.keys[1].value = 0.3, 0.9  # not where the lines are
+        kept = curves.curves(self.obj)
+        self.assertEqual(bpy.ops.penpose.flip(), {'FINISHED'})
+        self.assertEqual(self.values(), [0.9, 0.3])
+        (there,) = curves.curves(self.obj)
+        self.assertEqual(there['id'], kept[0]['id'])
+        self.assertTrue(np.allclose(np.array(there['rest']).mean(axis=0), np.array(kept[0]['rest']).mean(axis=0) * (-1, 1, 1), atol=1e-5))
+        bpy.ops.penpose.flip()
+        self.assertEqual(self.values(), [0.3, 0.9])
+        (again,) = curves.curves(self.obj)
+        self.assertTrue(np.allclose(again['rest'], kept[0]['rest'], atol=1e-5))
+        self.assertTrue(np.allclose(again['target']['px'], kept[0]['target']['px'], atol=1e-3))
+        self.assertTrue(np.allclose(again['target']['view']['eye'], kept[0]['target']['view']['eye'], atol=1e-5))
+
+    def test_flip_of_a_measured_rig_turns_what_no_curve_lies_on(self):
+        made.add_key(self.obj, 'driven', (0, -0.1, 0), middle=(0, -0.9), width=0.2)
+        self.obj['push'] = 0.0
+        driver = self.obj.data.shape_keys.driver_add('key_blocks["driven"].value').driver
+        driver.type = 'AVERAGE'
+        variable = driver.variables.new()
+        variable.targets[0].id, variable.targets[0].data_path = self.obj, '["push"]'
+        self.draw_left()
+        far = [made.add_key(self.obj, 'low' + side, (0, 0, 0.2), middle=(x, -0.7), width=0.1) for side, x in (('_L', 0.6), ('_R', -0.6))]
+        far[0].value = 0.4
+        self.assertTrue(drawing.known(self.obj).rig.measured)
+        bpy.ops.penpose.flip()
+        self.assertEqual(self.values(), [0, 0.7])
+        self.assertEqual([round(key.value, 4) for key in far], [0, 0.4])
+
+    def test_flip_of_a_symmetric_pose_warns_of_nothing(self):
+        self.draw_left()
+        self.keys[0].value = self.keys[1].value = 0.5
+        said = []
+        told = type('Told', (), {'report': lambda self, kind, text: said.append((kind, text)), 'tell': mirror.PENPOSE_OT_flip.tell})()
+        moved = mirror.PENPOSE_OT_flip.across(told, self.obj)
+        self.assertEqual((moved, self.values()), ([], [0.5, 0.5]))
+        told.tell(self.obj, moved)
+        self.assertEqual([kind for kind, _ in said], [{'INFO'}])
+
     def test_flip_bones(self):
         armature = made.bones(self.obj)
         high = armature.pose.bones['high']

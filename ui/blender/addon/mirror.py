@@ -2,8 +2,9 @@
 import bpy
 from mathutils import Quaternion
 
-from . import bones, curves, drawing, keys
-from .controls import Refused
+from . import across, bones, curves, drawing, keys
+from .bones import Channel
+from .controls import KeyControl, Property, Refused
 from .curve_list import WithCurves
 from .library import Error
 from .pen import mesh_of, redraw, tell_moved
@@ -14,19 +15,28 @@ def other_side(name):
     return bpy.utils.flip_name(name)
 
 
+def _controls(rig):
+    """All controls of a rig that a person may touch, wherever curves lie."""
+    if rig.measured:
+        return [one.control for one in rig.candidates]
+    return [control for control, _, free in rig.parts if free]
+
+
 def flip_pose(rig):
     """Gives each control what its partner on the other side has. The controls that moved."""
-    kept = rig.kept()
-    single = {c.name: getattr(c, 'control', c) for c, _, free in rig.parts if free and not _is_of_bone(c)}
-    now = {name: control.get() for name, control in single.items()}
+    controls = _controls(rig)
+    before = [(control, None, control.get()) for control in controls]
+    single = {_address(control): control for control in controls if not _is_of_bone(control)}
+    now = {address: control.get() for address, control in single.items()}
     turned = {}
-    for armature in {id(b.id_data): b.id_data for b in _bones_of(rig)}.values():
+    for armature in {id(b.id_data): b.id_data for b, _ in _paths_of(controls).values()}.values():
         for bone in armature.pose.bones:
             turned[armature.name_full, bone.name] = bones.turn_of(bone), bone.location.copy(), bone.scale.copy()
-    for name, control in single.items():
-        if other_side(name) in now:
-            control.set(now[other_side(name)])
-    for bone, paths in _paths_of(rig).values():
+    for address, control in single.items():
+        value = now.get(_across(address))
+        if value is not None:
+            control.set(-value if _is_turned_about(control) else value)
+    for bone, paths in _paths_of(controls).values():
         found = turned.get((bone.id_data.name_full, other_side(bone.name))) or turned[bone.id_data.name_full, bone.name]
         turn, place, size = found
         if any(path.startswith('rotation') for path in paths):
@@ -36,7 +46,29 @@ def flip_pose(rig):
             bone.location = [old if held else new for old, new, held in zip(bone.location, flipped, bone.lock_location)]
         if 'scale' in paths:
             bone.scale = [old if held else new for old, new, held in zip(bone.scale, size, bone.lock_scale)]
-    return rig.changed_from(kept)
+    return rig.changed_from(before)
+
+
+def _address(control):
+    """What tells a key, a property or a channel of an object from all others: names, each of which may have a side."""
+    if isinstance(control, KeyControl):
+        return 'key', control.name
+    if isinstance(control, Property):
+        return 'property', control.held.name, control.bone.name if control.bone else control.owner_path, control.prop
+    return 'channel', control.held.name, control.path, 'xyz'[control.axis]
+
+
+def _across(address):
+    """The address on the other side. A block that has no partner, as an armature, keeps its name."""
+    kind, *names = address
+    if kind == 'property' and not bpy.data.objects.get(other_side(names[0])):
+        return (kind, names[0], *map(other_side, names[1:]))
+    return (kind, *map(other_side, names))
+
+
+def _is_turned_about(control):
+    """Whether a channel of an object has the other sign on the other side: the way to the side, and turns about the other two."""
+    return isinstance(control, Channel) and (control.path, control.axis) in {('location', 0), ('rotation_euler', 1), ('rotation_euler', 2)}
 
 
 def _is_of_bone(control):
@@ -44,18 +76,25 @@ def _is_of_bone(control):
     return isinstance(block, bpy.types.PoseBone) and not path.startswith('[')
 
 
-def _paths_of(rig):
+def _paths_of(controls):
     """{bone: (bone, the channels of it that may move)}."""
     out = {}
-    for control, _, free in rig.parts:
-        for block, path, *_ in control.channels() if free else ():
+    for control in controls:
+        for block, path, *_ in control.channels():
             if isinstance(block, bpy.types.PoseBone) and not path.startswith('['):
                 out.setdefault(block.as_pointer(), (block, set()))[1].add(path)
     return out
 
 
-def _bones_of(rig):
-    return [bone for bone, _ in _paths_of(rig).values()]
+def flip_curves(obj, surface):
+    """Takes all curves and their targets to the other side; each stays the same curve. Raises Refused, with nothing changed."""
+    flipped = [(curve, *across.flipped(surface, curve)) for curve in curves.curves(obj)]
+    for curve, points, made in flipped:
+        drawing.delete(obj, curve['id'])
+        if curve.get('off'):
+            made['off'] = True
+        number = curves.add(obj, surface, points, made)
+        drawing.change(obj, number, lambda kept, own=curve['id']: kept.update(id=own) or kept)
 
 
 class _Across(WithCurves):
@@ -69,8 +108,12 @@ class _Across(WithCurves):
             self.report({'ERROR'}, str(problem))
             return {'CANCELLED'}
         redraw()
-        tell_moved(self, obj, moved)
+        self.tell(obj, moved)
         return {'FINISHED'}
+
+    def tell(self, obj, moved):
+        """Says what moved."""
+        tell_moved(self, obj, moved)
 
 
 class PENPOSE_OT_mirror(_Across, bpy.types.Operator):
@@ -100,13 +143,17 @@ class PENPOSE_OT_flip(_Across, bpy.types.Operator):
 
     def across(self, obj):
         """Flips the pose and the curves; the controls that moved."""
-        one = drawing.known(obj)
-        one.rig.take_pose()
+        one = drawing.known(obj, measured=False)
+        flip_curves(obj, one.rig.surface)
         moved = flip_pose(one.rig)
-        for curve in [c['id'] for c in curves.curves(obj)]:
-            moved += [c for c in drawing.mirrored(obj, curve, replace=True) if c not in moved]
         keys.key(moved, said=one.said)
         return moved
+
+    def tell(self, obj, moved):
+        if moved:
+            tell_moved(self, obj, moved)
+        else:
+            self.report({'INFO'}, 'Flipped: the pose is the same on both sides')
 
 
 CLASSES = (PENPOSE_OT_mirror, PENPOSE_OT_flip)
