@@ -197,6 +197,7 @@ int main(int argc, char** argv) {
   write(folder / "cases.json", cases(*head));
   write(folder / "track.json", take(*head, 50, 12));
   write(folder / "cues.tsv", std::string("0.00\tX\n0.50\tD\n1.00\tA\n1.10\tD\n1.50\tX\n"));
+  write(folder / "words.srt", std::string("1\n00:00:00,200 --> 00:00:00,900\nhello there\n"));
   write_elephant(folder);
   write_pictures(folder);
   write_shapes(folder);
