@@ -7,6 +7,7 @@
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
+#include "core/io/tracks/values/bare_values.h"
 
 namespace penpose::io {
 namespace {
@@ -146,10 +147,11 @@ TrackFormat ibug68_format() {
             if (text.text.find("n_points") != std::string_view::npos) return true;
             // More points than 68, and not as many as a face mesh, are no face that is known.
             if (text.has("x_68") || text.has("x68")) return false;
-            // Fewer numbers are values of controls, or the number of a caption.
-            constexpr std::size_t k_most_values = 61;
-            return text.has("x_0") || text.has("x0") ||
-                   (text.table && text.table->columns().size() > k_most_values && text.table->header_is_row());
+            if (text.has("x_0") || text.has("x0")) return true;
+            // A number alone begins captions, and as many as a face has shapes are values.
+            constexpr std::size_t k_fewest = 3;
+            return text.table && text.table->columns().size() >= k_fewest && text.table->header_is_row() &&
+                   bare_table(text.text).count == 0;
           },
           [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_ibug_track(bytes)); }};
 }
