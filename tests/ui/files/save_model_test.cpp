@@ -29,9 +29,9 @@ TEST(SaveModel, WritesTheFormatOfTheExtension) {
   EXPECT_TRUE(obj->pose.empty());
 
   // Any other extension is refused before a file is touched.
-  EXPECT_FALSE(save_model(model, (folder / "a.fbx").string()));
+  EXPECT_FALSE(save_model(model, (folder / "a.ply").string()));
   EXPECT_FALSE(save_model(model, (folder / "a").string()));
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.fbx"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.ply"));
   EXPECT_FALSE(save_model(model, (folder / "missing" / "a.glb").string()));
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;

@@ -256,8 +256,8 @@ TEST_F(PoseCommand, NothingIsHalfWrittenOnFailure) {
   const auto before = names();
   // Two cases do not fit into one file; an unknown format; a folder that does not exist.
   expect_failure({path("m.glb"), "--cases", path("c.json"), "-o", path("out.glb")}, path("out.glb"), "--case");
-  EXPECT_EQ(pose({path("m.glb"), "--cases", path("c.json"), "--case", "case1", "-o", path("out.fbx")}), k_failure);
-  EXPECT_NE(error_.find("out.fbx"), std::string::npos);
+  EXPECT_EQ(pose({path("m.glb"), "--cases", path("c.json"), "--case", "case1", "-o", path("out.ply")}), k_failure);
+  EXPECT_NE(error_.find("out.ply"), std::string::npos);
   EXPECT_EQ(pose({path("m.glb"), "--cases", path("c.json"), "--case", "case1", "-o", path("no/out.glb")}), k_failure);
   EXPECT_EQ(names(), before);
   // A file that stands there already keeps its content.
