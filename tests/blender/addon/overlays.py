@@ -109,6 +109,9 @@ class Overlays(unittest.TestCase):
         ghost = next(g for g in arcs.ghosts_of(self.times(), self.scene, self.pen) if g.frame == 11)
         on_it = self.shown.places(self.shown.view.project(self.times().space.from_world(ghost.lines[0][1])))
         self.assertEqual(arcs.hit(self.obj, on_it[len(on_it) // 2], self.shown, self.scene, self.pen)[1:], ('ghost', 1, 11))
+        wide = int(np.argmax(np.linalg.norm(np.diff(on_it, axis=0), axis=1)))
+        between = on_it[wide:wide + 2].mean(axis=0)
+        self.assertLess(arcs.hit(self.obj, between, self.shown, self.scene, self.pen)[0], 0.01, 'as near as a target that is pulled')
         self.assertIsNone(arcs.hit(self.obj, self.begin[0] - (200, 0), self.shown, self.scene, self.pen))
         self.pen.ghosts = False
         self.assertIsNone(arcs.hit(self.obj, self.place_on_arc(9), self.shown, self.scene, self.pen), 'what is not shown is not touched')

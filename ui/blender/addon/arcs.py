@@ -7,6 +7,7 @@ import numpy as np
 
 from . import curves, drawing
 from .moments import Moments, Shapes
+from .pull import distance
 
 REACH_PX = 10.0  # so near to a frame of an arc, or to a line of a ghost, is on it
 STILL = 1e-6  # of the places: what moves less stays
@@ -129,19 +130,17 @@ def hit(obj, place, seen, scene, pen):
     drawing.known(obj)
     times, found = Times(obj), []
 
-    def away(points):
-        px = seen.places(seen.view.project(times.space.from_world(points)))
-        return np.linalg.norm(px - np.asarray(place), axis=1)
+    def px(points):
+        return seen.places(seen.view.project(times.space.from_world(points)))
     for arc in arcs_of(times, scene, pen) if pen.arcs else ():
-        near = away(arc.points)
+        near = np.linalg.norm(px(arc.points) - np.asarray(place), axis=1)
         i = int(np.argmin(near))
         found.append((near[i], 'arc', arc.curve, arc.frames[i]))
     for ghost in ghosts_of(times, scene, pen) if pen.ghosts else ():
         for curve, line in ghost.lines:
-            near = away(line)
-            i = int(np.argmin(near))
-            here = away(times.space.to_world(times.shapes.curve(times.numbers[curve], times.now)))
-            if here.min() > max(APART_PX, near[i]):
-                found.append((near[i], 'ghost', curve, ghost.frame))
+            near = distance(px(line), place)
+            here = distance(px(times.space.to_world(times.shapes.curve(times.numbers[curve], times.now))), place)
+            if here > max(APART_PX, near):
+                found.append((near, 'ghost', curve, ghost.frame))
     found = [one for one in found if one[0] <= REACH_PX * max(1.0, bpy.context.preferences.system.ui_scale)]
     return min(found) if found else None

@@ -15,7 +15,7 @@ def hit(obj, place, seen, scale=1.0):
         if 'px' not in curve.get('target', ()):
             continue
         line = _line(obj, curve, seen)
-        away = _distance(line, np.asarray(place, dtype=float)) if line is not None else np.inf
+        away = distance(line, place) if line is not None else np.inf
         if away <= REACH_PX * scale and (best is None or away < best[0]):
             best = away, curve['id']
     return best
@@ -30,7 +30,9 @@ def _line(obj, curve, seen):
         return None
 
 
-def _distance(line, place):
+def distance(line, place):
+    """How far a place lies from a line, px."""
+    place = np.asarray(place, dtype=float)
     a, along = line[:-1], np.diff(line, axis=0)
     share = np.einsum('ij,ij->i', place - a, along) / np.maximum(1e-12, (along ** 2).sum(axis=1))
     return float(np.linalg.norm(a + np.clip(share, 0, 1)[:, None] * along - place, axis=1).min()) if len(line) > 1 else np.inf
