@@ -50,6 +50,20 @@ class Sides(unittest.TestCase):
         a, b = (points for _, points in drawing.places(self.obj, bpy.context.evaluated_depsgraph_get()))
         self.assertLess(float(np.abs(np.sort(a[:, 0]) - np.sort(-b[:, 0])).max()), 0.02)
 
+    def test_mirror_leaves_the_drawn_side(self):
+        self.draw_left()
+        self.keys[0].value = 0.57  # not where the line is
+        self.assertEqual(bpy.ops.penpose.mirror(curve=1), {'FINISHED'})
+        self.assertEqual(self.values(), [0.57, 0.57])
+
+    def test_mirror_without_names_moves_the_other_side_alone(self):
+        self.keys[0].name, self.keys[1].name = 'one', 'two'
+        self.draw_left()
+        self.keys[0].value = 0.5
+        self.assertEqual(bpy.ops.penpose.mirror(curve=1), {'FINISHED'})
+        self.assertEqual(self.values()[0], 0.5)
+        self.assertAlmostEqual(self.values()[1], 0.7, delta=0.03)
+
     def test_flip(self):
         self.draw_left()
         self.assertEqual(bpy.ops.penpose.flip(), {'FINISHED'})

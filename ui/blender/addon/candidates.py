@@ -120,12 +120,12 @@ def candidates(graph, objects, size):
     return [one for one in out if one.mask.any()]
 
 
-def selected(candidate_or_control, bones, key):
-    """Whether a control is one of those that were chosen: `bones`: pairs of armature's and bone's names, `key`: of a shape key."""
+def selected(candidate_or_control, bones, keys):
+    """Whether a control is one of those that were chosen: `bones`: pairs of armature's and bone's names, `keys`: names of shape keys."""
     control = getattr(candidate_or_control, 'control', candidate_or_control)
     control = getattr(control, 'control', control)
     if isinstance(control, KeyControl):
-        return control.key == key
+        return control.key in keys
     of = getattr(control, 'turn', None) or getattr(control, 'of_bone', None) or control
     return (getattr(of, 'object', None), getattr(of, 'bone', None)) in bones
 

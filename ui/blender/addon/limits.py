@@ -1,24 +1,44 @@
 """Which controls may move where the user limits them to what is selected, and what of a linked character can be overridden."""
+import contextlib
+
 import bpy
 
 from . import curves, versions
 from .character import armature_of, largest_of
-from .controls import Refused
+from .controls import KeyControl, Refused
+
+
+_among = []  # what chosen() says while among() is in force
+
+
+@contextlib.contextmanager
+def among(controls):
+    """Only these keys and bones may move, whatever is selected."""
+    plain = [getattr(control, 'control', control) for control in controls]
+    bones = {(of.object, of.bone) for of in (getattr(c, 'turn', None) or getattr(c, 'of_bone', None) or c for c in plain) if hasattr(of, 'bone') and
+             hasattr(of, 'object')}
+    _among.append((bones, {control.key for control in plain if isinstance(control, KeyControl)}))
+    try:
+        yield
+    finally:
+        _among.pop()
 
 
 def chosen(obj):
     """What candidates.selected() wants: the pose bones that are selected, or the active shape key; None: all may move."""
+    if _among:
+        return _among[-1]
     settings = getattr(bpy.context.window_manager, 'penpose', None)
     if not getattr(settings, 'selected_only', False):
         return None
     armatures = [o for o in bpy.context.view_layer.objects if o.type == 'ARMATURE' and o.mode == 'POSE']
     bones = {(a.name, b.name) for a in armatures for b in a.pose.bones if versions.bone_selected(b) and versions.bone_seen(a, b)}
     if bones:
-        return bones, None
+        return bones, set()
     key = obj.active_shape_key
     if key is None or obj.data.shape_keys is None or key == obj.data.shape_keys.reference_key:
         raise Refused('nothing is selected that may move; select bones in Pose mode or a shape key of %s, or turn off Selected Only' % obj.name)
-    return set(), key.name
+    return set(), {key.name}
 
 
 def character_of(context):

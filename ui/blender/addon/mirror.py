@@ -1,10 +1,11 @@
 """What is drawn on one side of a character on its other side, and the pose flipped. The sides are those of the mesh's own X."""
 import bpy
+import numpy as np
 from mathutils import Quaternion
 
-from . import across, bones, curves, drawing, keys
+from . import across, bones, curves, drawing, keys, limits
 from .bones import Channel
-from .controls import KeyControl, Property, Refused
+from .controls import TINY, KeyControl, Property, Refused
 from .curve_list import WithCurves
 from .library import Error
 from .pen import mesh_of, redraw, tell_moved
@@ -22,8 +23,8 @@ def _controls(rig):
     return [control for control, _, free in rig.parts if free]
 
 
-def flip_pose(rig):
-    """Gives each control what its partner on the other side has. The controls that moved."""
+def flip_pose(rig, only=None):
+    """Gives each control what its partner on the other side has. `only`: to these alone. The controls that moved."""
     controls = _controls(rig)
     before = [(control, None, control.get()) for control in controls]
     single = {_address(control): control for control in controls if not _is_of_bone(control)}
@@ -32,7 +33,11 @@ def flip_pose(rig):
     for armature in {id(b.id_data): b.id_data for b, _ in _paths_of(controls).values()}.values():
         for bone in armature.pose.bones:
             turned[armature.name_full, bone.name] = bones.turn_of(bone), bone.location.copy(), bone.scale.copy()
+    if only is not None:
+        controls = only
     for address, control in single.items():
+        if not any(control is one for one in controls):
+            continue
         value = now.get(_across(address))
         if value is not None:
             control.set(-value if _is_turned_about(control) else value)
@@ -86,6 +91,71 @@ def _paths_of(controls):
     return out
 
 
+def _way(control):
+    """The address of a control; of bones, of the place, the turn or the scale."""
+    if not _is_of_bone(control):
+        return _address(control)
+    block, path, *_ = control.channels()[0]
+    return 'bone', block.id_data.name_full, block.name, path.split('_')[0]
+
+
+def _partner_of(way):
+    """That of the control on the other side."""
+    return (*way[:2], other_side(way[2]), way[3]) if way[0] == 'bone' else _across(way)
+
+
+def _is_off(control):
+    """Whether a control is not at rest."""
+    value = control.get()
+    rest = 1.0 if getattr(control, 'path', '') == 'scale' else 0.0
+    return any(abs(one - rest) > TINY for one in (value if isinstance(value, list) else [value]))
+
+
+def _sides(one, drawn, other):
+    """The controls that move the curve `drawn` more than `other`, and those that gain this one more than they cost that."""
+    trial, pose, here, there = one.rig.character.copy(), one.rig.character.pose, [], []
+    places = [trial.positions(one.numbers[number]) for number in (drawn, other)]
+    for control, numbers, free in one.rig.parts:
+        moved = np.zeros(2)
+        for n in numbers if free else ():
+            nudged = pose.copy()
+            far = one.rig.most[n] if one.rig.most[n] - pose[n] > pose[n] - one.rig.least[n] else one.rig.least[n]
+            nudged[n] = far
+            trial.pose = nudged
+            moved = np.maximum(moved, [np.abs(trial.positions(one.numbers[number]) - place).max() for number, place in zip((drawn, other), places)])
+        if moved[0] > moved[1]:
+            here.append(getattr(control, 'control', control))
+        elif moved[1] - moved[0] > moved[0]:
+            there.append(getattr(control, 'control', control))
+    return here, there
+
+
+def mirror_curve(obj, number):
+    """Draws a curve and its target on the other side, too, and moves that side alone: what moved the drawn curve has partners by its
+    name, which take its values; else it is solved. The controls that moved. Raises Refused."""
+    one = drawing.known(obj, measured=False)
+    curve = next((c for c in curves.curves(obj) if c['id'] == number), None)
+    if curve is None:
+        raise Refused('%s has no curve %s' % (obj.name, number))
+    points, made = across.flipped(one.rig.surface, curve)
+    added = curves.add(obj, one.rig.surface, points, made)
+    if 'target' not in made:
+        return []
+    one = drawing.known(obj)
+    one.rig.take_pose()
+    here, there = _sides(one, number, added)
+    wanted = {_partner_of(_way(control)) for control in here if _is_off(control)} - {_way(control) for control in here}
+    partners = [control for control in _controls(one.rig) if _way(control) in wanted]
+    if partners:
+        moved = flip_pose(one.rig, partners)
+        keys.key(moved, said=one.said)
+        return moved
+    if not there:
+        return []
+    with limits.among(there):
+        return drawing.solve_again(obj)
+
+
 def flip_curves(obj, surface):
     """Takes all curves and their targets to the other side; each stays the same curve. Raises Refused, with nothing changed."""
     flipped = [(curve, *across.flipped(surface, curve)) for curve in curves.curves(obj)]
@@ -128,7 +198,7 @@ class PENPOSE_OT_mirror(_Across, bpy.types.Operator):
         moved = []
         for curve in [c['id'] for c in curves.curves(obj)]:
             if self.curve in (0, curve):
-                moved += [c for c in drawing.mirrored(obj, curve) if c not in moved]
+                moved += [c for c in mirror_curve(obj, curve) if c not in moved]
         return moved
 
 
