@@ -104,6 +104,35 @@ class Sides(unittest.TestCase):
         self.assertEqual(self.values(), [0, 0.7])
         self.assertEqual([round(key.value, 4) for key in far], [0, 0.4])
 
+    def test_mirror_of_bones_that_are_measured(self):
+        armature = made.bones(self.obj)
+        made.activate(armature)
+        bpy.ops.object.mode_set(mode='EDIT')
+        data = armature.data.edit_bones
+        for side, x in (('.L', 0.5), ('.R', -0.5)):
+            bone = data.new('lid' + side)
+            bone.head, bone.tail, bone.parent = (x, -0.3, 0.5), (x, -0.3, 0.7), data['low']
+        bpy.ops.object.mode_set(mode='OBJECT')
+        for side, x in (('.L', 0.5), ('.R', -0.5)):
+            group = self.obj.vertex_groups.new(name='lid' + side)
+            for vertex in self.obj.data.vertices:
+                group.add([vertex.index], 3 * float(np.exp(-((vertex.co.x - x) ** 2 + (vertex.co.z - 0.5) ** 2) / 0.04)), 'REPLACE')
+        self.obj.modifiers['Armature'].use_deform_preserve_volume = True  # so that it is measured
+        self.obj.shape_key_clear()
+        made.activate(self.obj)
+        left, right = (armature.pose.bones['lid' + side] for side in ('.L', '.R'))
+        line = [i for i in made.row(self.obj, reach=0.9) if self.obj.data.vertices[i].co.x > 0.2]
+        here = desk.region_places(self.shown, desk.shown_positions(self.obj)[line])
+        desk.draw(self.obj, 'reference', self.shown, here)
+        desk.draw(self.obj, 'target', self.shown, here + (0, 15))
+        left.rotation_mode = right.rotation_mode = 'XYZ'
+        left.rotation_euler = (0.1, 0.2, 0.3)
+        bpy.context.view_layer.update()
+        self.assertTrue(drawing.known(self.obj).rig.measured)
+        self.assertEqual(bpy.ops.penpose.mirror(curve=1), {'FINISHED'})
+        self.assertTrue(np.allclose(left.rotation_euler, (0.1, 0.2, 0.3), atol=1e-5))
+        self.assertTrue(np.allclose(right.rotation_euler, (0.1, -0.2, -0.3), atol=1e-4), right.rotation_euler)
+
     def test_flip_of_a_symmetric_pose_warns_of_nothing(self):
         self.draw_left()
         self.keys[0].value = self.keys[1].value = 0.5

@@ -143,6 +143,8 @@ def mirror_curve(obj, number):
         return []
     one = drawing.known(obj)
     one.rig.take_pose()
+    if not {number, added} <= set(one.numbers):
+        raise Refused('curve %d of %s cannot be brought onto the mesh; delete it and draw it again' % (number, obj.name))
     here, there = _sides(one, number, added)
     wanted = {_partner_of(_way(control)) for control in here if _is_off(control)} - {_way(control) for control in here}
     partners = [control for control in _controls(one.rig) if _way(control) in wanted]
