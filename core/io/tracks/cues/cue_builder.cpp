@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t k_most_cues = 1'000'000;
 constexpr std::size_t k_most_labels = 300'000;
-constexpr std::size_t k_most_sounds_a_word = 40;
+constexpr std::size_t k_most_sounds = 150'000;  // hours of speech
+constexpr std::size_t k_most_sounds_a_word = 24;
 constexpr double k_latest_s = 1e6;
 /// A sound of a word of which nobody knows how long it lasts takes so long at most.
 constexpr double k_longest_sound_s = 0.15;
@@ -176,7 +177,7 @@ std::vector<speech::Phone> CueBuilder::phones_of_words(std::size_t& most, base::
       if (spoken.empty()) continue;
       said.push_back({i, shown, all.size(), spoken.size()});
       all.insert(all.end(), spoken.begin(), spoken.end());
-      if (all.size() > k_most_labels) {
+      if (all.size() > k_most_sounds) {
         most = all.size();
         return {};
       }
@@ -197,7 +198,7 @@ std::vector<speech::Phone> CueBuilder::phones_of_words(std::size_t& most, base::
       count += own.size();
     }
     most += count;
-    if (most > k_most_labels) return {};
+    if (most > k_most_sounds) return {};
     const double next_s = last < said.size() ? words_[said[last].span].from_s : k_latest_s;
     double to_s = std::min(span.to_s, next_s);
     if (span.to_s <= span.from_s) {
@@ -334,8 +335,8 @@ base::Result<CueFile> CueBuilder::finish(base::Bytes dictionary) {
   sort_labels();
   std::size_t sounds = 0;
   auto said = phones_of_words(sounds, dictionary);
-  if (sounds > k_most_labels)
-    return base::Error{"its words have more than 300,000 sounds", "", "cut the file into shorter ones"};
+  if (sounds > k_most_sounds)
+    return base::Error{"its words have more than 150,000 sounds", "", "cut the file into shorter ones"};
   if (file_.list.empty() && !phones_.empty()) said = phones_of_labels(said);
   if (file_.list.empty()) take(said);
   if (file_.list.empty()) return wrong("there is no cue", "line 1");

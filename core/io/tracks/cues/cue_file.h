@@ -36,10 +36,11 @@ struct CueFile {
 /// - JSON of words: WhisperX, Whisper, Gentle, Vosk and the like.
 /// Text is UTF-8, UTF-16 with a byte order mark, or ISO 8859-1. Phonemes come before words where a file has both; words
 /// are spoken by a dictionary (said_list; empty: by rules) over the time that they have. Errors: another form, binary
-/// data, times that step back or lie beyond 1e6 s, no cue, more than 1,000,000 cues or 300,000 phonemes.
+/// data, times that step back or lie beyond 1e6 s, no cue, more than 1,000,000 cues, 300,000 labels
+/// or 150,000 sounds of words.
 [[nodiscard]] base::Result<CueFile> read_cues(base::Bytes bytes, base::Bytes dictionary = {});
 
-/// Whether a file looks to be one of these. `sure`: by more than a time and a name.
+/// Whether a text looks to be one of these by more than a time and a name.
 [[nodiscard]] bool looks_like_cues(std::string_view text);
 
 /// What read_cues reads, for people: "Rhubarb (tsv, xml, json), Papagayo (.pgo, .dat), ...".

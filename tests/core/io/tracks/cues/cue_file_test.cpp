@@ -230,6 +230,15 @@ TEST(CueFile, JsonOfWordsIsReadWhereverTheyLie) {
   EXPECT_EQ(hole.notes.size(), 1U);
 }
 
+TEST(CueFile, FarMoreWordsThanHoursOfSpeechAreRefused) {
+  std::string text;
+  for (int i = 0; i < 8000; ++i)
+    text += std::to_string(i) + "\t" + std::to_string(i + 1) + "\tsupercalifragilisticexpialidocious\n";
+  const auto read = read_cues(base::as_bytes(text));
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().what.find("150,000"), std::string::npos);
+}
+
 TEST(CueFile, WhatIsNoListOfCuesIsToldWhatIsRead) {
   const auto text = read_cues(base::as_bytes(std::string_view("good morning\n"))).error();
   EXPECT_NE(text.remedy.find("TextGrid"), std::string::npos);
