@@ -89,7 +89,7 @@ double shown_alone(const Expression& expression, double weight) {
   return expression.is_binary ? (weight > k_binary_from ? 1.0 : 0.0) : weight;
 }
 
-/// What an expression at a weight does to others of a name.
+/// Returns how an expression overrides the expressions of a preset name.
 ExpressionOverride override_of(const Expression& expression, std::string_view preset) {
   constexpr std::array<std::string_view, 5> k_mouths{"aa", "ih", "ou", "ee", "oh"};
   if (preset.starts_with("blink")) return expression.blink;

@@ -55,7 +55,7 @@ struct Animation {
   std::vector<Channel> channels;
 };
 
-/// What an expression does to the expressions of a kind while it is shown: nothing, all of them go, or as much of them
+/// An expression does this to the expressions of a kind while it is shown: nothing, all of them go, or as much of them
 /// as it is shown (VRMC_vrm 1.0, "ExpressionOverrideType").
 enum class ExpressionOverride : std::uint8_t { none, block, blend };
 

@@ -78,7 +78,7 @@ constexpr Letter k_sampa[]{
     {"K", "L", fricative},
 };
 
-/// What TIMIT and others write beside the phonemes of the CMU dictionary.
+/// Lists the signs that TIMIT and others use in addition to the phonemes of the CMU dictionary.
 constexpr std::pair<std::string_view, std::string_view> k_more_arpabet[]{
     {"AX", "AH"}, {"AX-H", "AH"}, {"IX", "IH"}, {"AXR", "ER"}, {"UX", "UW"}, {"EL", "L"},  {"EM", "M"},
     {"EN", "N"},  {"ENG", "NG"},  {"DX", "D"},  {"NX", "N"},   {"HV", "HH"}, {"Q", "HH"},  {"BCL", "B"},
@@ -128,7 +128,7 @@ bool is_diacritic(std::string_view sign) {
   return false;
 }
 
-/// What stands beside letters of X-SAMPA and changes nothing of a mouth.
+/// Lists the diacritics of X-SAMPA that do not change a mouth.
 bool is_sampa_mark(char c) { return std::string_view(":~`'\"%=_\\^<>-!|.+").find(c) != std::string_view::npos; }
 
 const Letter* find_letter(std::string_view sign, PhoneAlphabet alphabet) {

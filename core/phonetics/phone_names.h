@@ -16,9 +16,9 @@ enum class PhoneAlphabet : std::uint8_t { arpabet, ipa, sampa };
 /// pause. Nothing where it is none in the alphabet.
 [[nodiscard]] std::optional<std::string> phoneme_of_label(std::string_view label, PhoneAlphabet alphabet);
 
-/// Whether a label means that nobody speaks: "", "sil", "sp", "<eps>", "pau", "h#" and the like, in any case.
+/// Returns true if a label means that nobody speaks: "", "sil", "sp", "<eps>", "pau", "h#" and the like, in any case.
 [[nodiscard]] bool is_pause_label(std::string_view label);
-/// Whether a label means that somebody speaks and nobody knows what: "spn", "oov".
+/// Returns true if a label stands for unknown speech: "spn", "oov".
 [[nodiscard]] bool is_unknown_label(std::string_view label);
 
 /// The alphabet in which most of the labels are phonemes, and how many are; pauses are in all.

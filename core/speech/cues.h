@@ -10,7 +10,7 @@
 
 namespace penpose::speech {
 
-/// What a file says of a mouth.
+/// Holds one entry of a file about a mouth.
 struct MouthCues {
   Cues cues;                       ///< never empty
   std::vector<HeardWord> words;    ///< that it names, ascending

@@ -67,7 +67,7 @@ void note_without_effect(const AnimateOptions& options, std::vector<std::string>
   note(!options.curves.empty(), "--curves", "the track has values, no points");
 }
 
-/// Whether a head can be seen to turn.
+/// Returns true if a turn of the head can be shown.
 bool turns_the_head(const animation::WeightTrack& track) {
   constexpr double k_seen = 0.02;
   for (std::size_t i = 0; i < track.names.size(); ++i) {

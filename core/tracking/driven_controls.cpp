@@ -61,7 +61,7 @@ class Finder {
     return !expressions.empty();
   }
 
-  /// Whether the sets that stand for what a name means decide what it does, be it nothing.
+  /// Adds the sets that stand for what a name means. Returns true if one applies, even one that moves nothing.
   bool add_instead(std::string_view name, int depth) {
     const auto known = rig::face_name(name);
     if (!known || depth > 2) return false;

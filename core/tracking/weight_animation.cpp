@@ -75,7 +75,7 @@ std::vector<double> shown_shares(const document::Model& model, const std::vector
   return shares;
 }
 
-/// What a column drives, and whether its name says at least that nothing moves.
+/// Holds the controls that a column drives, and a flag that its name is known even if it drives none.
 struct Column {
   std::vector<Drive> drives;
   bool known = false;

@@ -1,3 +1,5 @@
+// This file is above the usual size because it is one table: every action of the window, a row each.
+
 #include <algorithm>
 #include <array>
 #include <vector>

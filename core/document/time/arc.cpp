@@ -23,10 +23,10 @@ constexpr double k_least_change_share = 1e-5;
 constexpr double k_least_effect_px = 0.05;
 constexpr int k_rounds = 6;
 
-/// A set of controls is enough if it leaves at most this share of the way, or at most so many px.
+/// The solver stops adding controls once the rest of the way is below this share of it, or below this many px.
 constexpr double k_enough_share = 0.15, k_enough_px = 2;
 
-/// The solver adds up to so many resting shapes one by one before it takes all of them.
+/// The solver adds at most this many resting shapes, one at a time, before it takes all of them.
 constexpr int k_most_added = 4;
 
 /// Which controls are used: the next ones only where these are not enough.

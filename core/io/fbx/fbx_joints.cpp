@@ -57,7 +57,7 @@ class Wanted {
     }
     for (const FbxObject& object : scene.objects()) {
       if (object.kind != "Model" || !has_mesh(object)) continue;
-      // What it hangs below is a joint; where its scale goes apart from that, it is one as well.
+      // Its parent is a joint; it becomes one too if its scale does not follow the parent's.
       bool apart = false;
       std::size_t depth = 0;
       for (const FbxObject* one = &object; one != nullptr && ++depth < k_deepest_fbx_node;
@@ -124,7 +124,7 @@ FbxLocal fbx_joint_local(const FbxLocal& node, const FbxPlaces::Place& place, co
   local.rotation = glm::dmat3(world) / unit * local.rotation;
   local.scale *= unit;
   if (glm::determinant(glm::dmat3(world)) < 0.0) {
-    // Of a left-handed file.
+    // The file is left-handed.
     local.rotation[0] = -local.rotation[0];
     local.scale.x = -local.scale.x;
   }

@@ -26,7 +26,7 @@ std::string plain_name(std::string_view name) {
 const FbxRecord* property_record(const FbxRecord& object, std::string_view name) {
   const FbxRecord* list = object.find("Properties70");
   if (list == nullptr) return nullptr;
-  // Of a property that is there twice the later one counts.
+  // If a property appears twice, the later one counts.
   const auto least = list->records.rend() - list->records.rbegin() > k_most_properties
                          ? list->records.rbegin() + k_most_properties
                          : list->records.rend();

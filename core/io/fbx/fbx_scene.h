@@ -94,7 +94,7 @@ class FbxNodeTransform {
  public:
   explicit FbxNodeTransform(const FbxObject& node);
   [[nodiscard]] const FbxTransform& still() const { return still_; }
-  /// Whether a turn or a scale also moves the node.
+  /// Returns true if a turn or a scale also moves the node.
   [[nodiscard]] bool has_pivots() const;
   [[nodiscard]] FbxLocal at(const FbxTransform& values) const;
   [[nodiscard]] FbxLocal local() const { return at(still_); }

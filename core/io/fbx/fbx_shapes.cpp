@@ -80,7 +80,7 @@ void FbxShapes::add_deltas(const FbxObject& shape, const std::vector<double>& ma
   }
   std::stable_sort(moves.begin(), moves.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    // Of a vertex that is there twice the later one counts.
+    // If a vertex appears twice, the later one counts.
     if (i + 1 < moves.size() && moves[i + 1].first == moves[i].first) continue;
     to.vertices.push_back(moves[i].first);
     to.deltas.push_back(moves[i].second);

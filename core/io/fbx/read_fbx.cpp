@@ -16,7 +16,7 @@
 namespace penpose::io {
 namespace {
 
-/// As in files of glTF: so many numbers, and 2.5 for each byte.
+/// The reader unfolds at most this many numbers plus 2.5 for each byte of the file, as the glTF reader does.
 constexpr std::size_t k_least_numbers = 2'400'000;
 
 base::Result<std::shared_ptr<const rig::Skeleton>> skeleton_of(FbxJoints& joints, const FbxMeshes& meshes) {

@@ -13,7 +13,7 @@ namespace penpose::io {
 /// A text whose bytes are no UTF-8, taken for ISO 8859-1, as UTF-8. Nothing where it is UTF-8 as it is.
 [[nodiscard]] std::optional<std::string> text_of_latin1(std::string_view text);
 
-/// Whether bytes are no text: zeros or other signs that no text has are among the first of them.
+/// Returns true for binary data: the first bytes contain zeros or other signs that text does not have.
 [[nodiscard]] bool is_binary(base::Bytes bytes);
 
 }  // namespace penpose::io

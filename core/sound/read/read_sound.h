@@ -6,7 +6,7 @@
 
 namespace penpose::sound {
 
-/// Whether bytes begin like a sound (sound_container), be it one that read_sound refuses by name.
+/// Returns true if bytes begin like a sound (sound_container), even one that read_sound refuses by name.
 [[nodiscard]] bool looks_like_sound(base::Bytes bytes);
 
 /// Reads a WAV (also RF64 and W64), FLAC, OGG (also Opus), MP3, AIFF, CAF or AU file, whatever its name; a tag of ID3

@@ -7,7 +7,7 @@
 
 namespace penpose::sound {
 
-/// What bytes are a file of, by their beginning.
+/// Names the container of a sound file.
 struct SoundContainer {
   std::string_view name;  ///< "WAV", "MP4"
   bool is_read = false;   ///< read_sound reads it

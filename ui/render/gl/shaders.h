@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-// Written in words that GlProgram gives a meaning to: GLSL 1.40, ES 3.00, 1.20 and ES 1.00 have others for
+// This file is above the usual size because the shaders share their conventions and are compared side by side.
+// GlProgram gives these words a meaning: GLSL 1.40, ES 3.00, 1.20 and ES 1.00 have others for
 // `from_buffer`, `to_fragment`, `from_vertex`, `sample_picture` and `result`.
 namespace penpose::render {
 

@@ -27,11 +27,11 @@ class FbxCurve {
   /// How it goes between two moments with no key in between.
   enum class Way { still, straight, bent };
   [[nodiscard]] Way way_between(double from_s, double to_s) const;
-  /// Whether every key holds its value until the next one.
+  /// Returns true if every key holds its value until the next one.
   [[nodiscard]] bool steps() const;
-  /// Whether it moves after its last key, or before its first one.
+  /// Returns true if the curve moves after its last key or before its first one.
   [[nodiscard]] bool goes_on() const { return before_.form != 'C' || after_.form != 'C'; }
-  /// Whether a key has another value than this.
+  /// Returns true if a key has another value than this.
   [[nodiscard]] bool leaves(double value) const;
   [[nodiscard]] double least() const;
   [[nodiscard]] double greatest() const;

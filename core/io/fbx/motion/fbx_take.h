@@ -23,7 +23,7 @@ class FbxTake {
  public:
   FbxTake(const FbxScene& scene, const FbxObject& stack, FbxCurves& curves);
 
-  /// Whether keys move a property away from its value in the file.
+  /// Returns true if keys move a property away from its value in the file.
   [[nodiscard]] bool moves(std::int64_t object, std::string_view property, const glm::dvec3& still) const;
   [[nodiscard]] bool drives(std::int64_t object, std::string_view property) const;
   /// A property at a time. `still`: its value in the file.
@@ -33,11 +33,11 @@ class FbxTake {
   [[nodiscard]] double start_s() const { return start_s_; }
   [[nodiscard]] double stop_s() const { return stop_s_; }
   [[nodiscard]] std::size_t layers() const { return layers_; }
-  /// Of what has keys, each once.
+  /// Returns the ids of the objects that have keys, each once.
   [[nodiscard]] std::vector<std::int64_t> objects() const;
 
  private:
-  /// What one layer says of a property.
+  /// Holds the curves and the weight that one layer gives a property.
   struct Layer {
     std::array<std::shared_ptr<const FbxCurve>, 3> axes;
     glm::dvec3 otherwise{std::numeric_limits<double>::quiet_NaN()};  ///< where an axis has no curve; NaN: as below

@@ -8,7 +8,7 @@
 namespace penpose::io {
 namespace {
 
-/// A file has no more records than these, and one for so many bytes.
+/// A file may have this many records, plus one for every `k_bytes_a_record` bytes.
 constexpr std::size_t k_least_records = 1000, k_bytes_a_record = 8;
 
 class TextReader {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t k_end_of_records = 13;
 constexpr std::uint32_t k_version = 7400;
-// What readers of Autodesk's SDK look for: an id of the file that fits its time, and the end (as Blender writes it).
+// Readers based on Autodesk's SDK expect a file id that matches its time, and this footer (Blender writes the same).
 constexpr std::string_view k_file_id("\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
 constexpr std::string_view k_time = "1970-01-01 10:00:00:000";
 constexpr std::string_view k_foot_id("\xfa\xbc\xab\x09\xd0\xc8\xd4\x66\xb1\x76\xfb\x83\x1c\xf7\x26\x7e", 16);

@@ -150,7 +150,7 @@ class Writer {
     std::vector<document::Surface> all;
     std::vector<std::int32_t> of_triangles;
   };
-  /// What the triangles of a part look like.
+  /// Holds the look of a part's triangles.
   [[nodiscard]] Surfaces surfaces_of(const mesh::Part& part, std::size_t number) const {
     Surfaces out;
     out.of_triangles.assign(part.triangle_count, 0);

@@ -76,7 +76,7 @@ std::vector<CaptionPart> parts_of(std::string_view line, std::size_t& depth) {
   return parts;
 }
 
-/// What is heard of a text: without [music], (laughs), {\an8}, the name of who speaks, and &amp;.
+/// Returns the spoken part of a text: without [music], (laughs), {\an8}, the name of who speaks, and &amp;.
 std::string heard_of(std::string_view text) {
   std::string out;
   char until = 0;
@@ -111,7 +111,7 @@ struct Caption {
 
 bool is_blank_text(std::string_view text) { return text.find_first_not_of(" \t\r\n\xa0") == std::string_view::npos; }
 
-/// Whether one word of it is marked and others are not, as captions do that show what is said now.
+/// Returns true if only one word is marked: such captions mark the word that is being said.
 bool marks_a_word(const Caption& caption) {
   bool marked = false, plain = false;
   for (const CaptionPart& part : caption.parts) {

@@ -242,7 +242,7 @@ std::vector<speech::Phone> CueBuilder::phones_of_labels(const std::vector<speech
             : std::min(next_s, one.from_s + (i + 1 < phones_.size() ? 2 * k_longest_sound_s : k_usual_sound_s));
     if (!(to_s > one.from_s)) continue;
     if (speech::is_unknown_label(one.text)) {
-      // What the words beside it say is spoken there.
+      // The neighbouring words say what is spoken there.
       while (word < said.size() && said[word].to_s <= one.from_s + 1e-6) ++word;
       const std::size_t before = phones.size();
       for (; word < said.size() && said[word].from_s < to_s - 1e-6; ++word) {

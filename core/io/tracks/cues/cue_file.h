@@ -40,10 +40,10 @@ struct CueFile {
 /// or 150,000 sounds of words.
 [[nodiscard]] base::Result<CueFile> read_cues(base::Bytes bytes, base::Bytes dictionary = {});
 
-/// Whether a text looks to be one of these by more than a time and a name.
+/// Returns true if a text matches one of these formats by more than a time and a name.
 [[nodiscard]] bool looks_like_cues(std::string_view text);
 
-/// What read_cues reads, for people: "Rhubarb (tsv, xml, json), Papagayo (.pgo, .dat), ...".
+/// Lists the formats that read_cues reads, for messages: "Rhubarb (tsv, xml, json), Papagayo (.pgo, .dat), ...".
 [[nodiscard]] const std::string& cue_format_names();
 
 }  // namespace penpose::io

@@ -30,7 +30,7 @@ class PgoLines {
 
 constexpr std::int64_t k_most_pgo = 1'000'000;
 
-/// What follows of a line that ends with numbers: "word 12 18 3" has 3 of them.
+/// Counts the numbers at the end of a line: "word 12 18 3" has 3 of them.
 std::vector<std::string_view> last_words(std::string_view line, std::size_t numbers) {
   std::vector<std::string_view> words;
   for (std::size_t i = 0; i < numbers; ++i) {

@@ -59,7 +59,7 @@ CueProblem read_rhubarb_xml(std::string_view text, CueBuilder& cues) {
   return std::nullopt;
 }
 
-/// Whether the text begins with a time, a tab and a letter of Rhubarb's.
+/// Returns true if the text begins with a time, a tab and one of Rhubarb's letters.
 bool begins_with_letter(std::string_view text) {
   const std::string_view line = base::trim(text.substr(0, std::min(text.find_first_of("\r\n"), text.size())));
   const std::size_t tab = line.find('\t');

@@ -9,8 +9,9 @@
 namespace penpose::io {
 namespace {
 
-/// What Praat takes of a text file, long or short: numbers, texts in quotes and flags that stand free; names of fields,
-/// indices in brackets and what follows an exclamation mark are for people (Praat's manual, "TextGrid file formats").
+/// Reads what Praat reads from a text file, long or short: numbers, texts in quotes and flags that stand free; names of
+/// fields, indices in brackets and what follows an exclamation mark are for people (Praat's manual, "TextGrid file
+/// formats").
 class GridTokens {
  public:
   explicit GridTokens(std::string_view text) : text_(text) {}
@@ -94,7 +95,7 @@ struct GridTier {
 
 constexpr std::size_t k_most_grid_labels = 600'000;
 
-/// What the name of a tier says that it has.
+/// Returns the kind of labels that the name of a tier announces.
 std::optional<LabelKind> kind_named(std::string_view name) {
   const std::string folded = base::lower_case(name);
   const auto has = [&](const char* part) { return folded.find(part) != std::string::npos; };

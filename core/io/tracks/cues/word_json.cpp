@@ -90,7 +90,7 @@ void look_for_texts(const Json& value, std::string_view name, const std::string&
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (!value[i].is_object()) continue;
-      // What a list of words has below it are their letters and sounds.
+      // The entries below a list of words are their letters and sounds.
       if (timed && depth >= found.words_depth) break;
       look_for_texts(value[i], name, json::child(place, i), depth + 1, found);
     }

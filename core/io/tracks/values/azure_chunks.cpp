@@ -55,7 +55,7 @@ class ChunkReader {
     rows_.names = usual_names(width_);
     rows_.notes.push_back(usual_names_note(width_));
     auto track = make_value_track(std::move(rows_), clock_);
-    // That frames are counted 60 a second, the service says.
+    // The service documents 60 frames a second.
     if (track) track->rate_note.clear();
     return track;
   }

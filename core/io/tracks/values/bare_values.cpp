@@ -61,7 +61,7 @@ BareTable bare_table(std::string_view text) {
   std::optional<double> before;
   bool grows = true;
   while (rows < k_looked_at && table->next(cells)) {
-    // What the look ends with may be half a row.
+    // The sampled text may end in the middle of a row.
     if (rows > 0 && cells.size() != count) break;
     count = cells.size();
     for (const std::string_view cell : cells) {

@@ -27,7 +27,7 @@ struct BareTable {
 };
 [[nodiscard]] BareTable bare_table(std::string_view text);
 
-/// What a cell holds that means nothing: "", "None", "null", "NA", "N/A" or "-", in any case.
+/// Returns true for a cell that means nothing: "", "None", "null", "NA", "N/A" or "-", in any case.
 [[nodiscard]] bool is_hole(std::string_view cell);
 
 }  // namespace penpose::io

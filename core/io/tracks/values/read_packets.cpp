@@ -16,7 +16,7 @@ namespace {
 
 constexpr double k_packet_fps = 60;
 
-/// What a part of a packet says: of a shape how far it is shown, of the head and an eye how they turn.
+/// Holds one part of a packet: the weight of a shape, or the turn of the head or an eye.
 struct PacketPart {
   std::string_view name;
   std::vector<double> numbers;
@@ -58,7 +58,7 @@ struct Packet {
 Packet packet_in(std::string_view line) {
   Packet packet;
   line = base::trim(line);
-  // As Python shows bytes.
+  // Python prints bytes this way.
   const std::size_t quote = line.find("b'");
   if (quote != std::string_view::npos && line.ends_with('\'')) {
     packet.time = base::trim(line.substr(0, quote));

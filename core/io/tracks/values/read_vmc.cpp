@@ -91,7 +91,7 @@ class VmcReader {
   }
 
  private:
-  /// Of what follows a message's own words the last that tells a time is when the next one came.
+  /// The last time that follows a message's own words is the time of the next message.
   void tail(std::string_view text) {
     MessageWords words(text);
     while (const auto word = words.next()) {

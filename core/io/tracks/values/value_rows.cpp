@@ -30,7 +30,7 @@ void fill_holes(ValueRows& rows) {
   if (filled > 0) rows.notes.push_back(std::to_string(filled) + " cells have no value: the one before stays");
 }
 
-/// Of rows that repeat a time the last one that shows a face counts.
+/// If rows repeat a time, the last one that shows a face counts.
 ValueClock without_repeats(ValueRows& rows, const ValueClock& clock) {
   const std::vector<bool> repeats = clock.repeated();
   std::size_t count = 0;

@@ -20,13 +20,13 @@ namespace penpose::io {
 /// =head# with pitch, yaw and roll in degrees and a place, rightEye# and leftEye# likewise (its documentation, "For
 /// developers"). A time may stand before a packet. 60 a second where none does. Errors: no packet with a face.
 [[nodiscard]] base::Result<animation::WeightTrack> read_packets(base::Bytes bytes);
-/// Whether a text begins with such a packet.
+/// Returns true if a text begins with such a packet.
 [[nodiscard]] bool has_packets(std::string_view text);
 
-/// What a receiver of the Virtual Motion Capture protocol wrote down, as text or JSON: "/VMC/Ext/Blend/Val", a name and
-/// a value, until "/VMC/Ext/Blend/Apply" ends a frame (protocol.vmc.info); values stay until they come again. Times are
-/// those of "/VMC/Ext/T", else a number before the address, else 60 frames a second. Bones are left out, with a note.
-/// Errors: no values.
+/// Reads the log of a receiver of the Virtual Motion Capture protocol, as text or JSON: "/VMC/Ext/Blend/Val", a name
+/// and a value, until "/VMC/Ext/Blend/Apply" ends a frame (protocol.vmc.info); values stay until they come again. Times
+/// are those of "/VMC/Ext/T", else a number before the address, else 60 frames a second. Bones are left out, with a
+/// note. Errors: no values.
 [[nodiscard]] base::Result<animation::WeightTrack> read_vmc_dump(base::Bytes bytes);
 [[nodiscard]] bool has_vmc(std::string_view text);
 

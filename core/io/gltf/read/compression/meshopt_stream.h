@@ -20,7 +20,7 @@ struct MeshoptLayout {
   std::uint64_t stride = 0;                    ///< bytes an element, once unpacked
 };
 
-/// What stands for meshoptimizer's codecs returns this where a build leaves them out.
+/// The stand-ins for meshoptimizer's codecs return this in a build without them.
 inline constexpr int k_meshopt_left_out = -1000;
 
 /// The count * stride bytes that a stream unpacks to. Codecs by meshoptimizer; filters by the formulas of the

@@ -16,7 +16,7 @@ namespace penpose::io {
 /// Nothing: all is well.
 using CueProblem = std::optional<base::Error>;
 
-/// What labels are: shapes of mouths, phonemes or words.
+/// Tells whether labels are mouth shapes, phonemes or words.
 enum class LabelKind : std::uint8_t { mouths, phones, words };
 [[nodiscard]] LabelKind kind_of_labels(const std::vector<std::string_view>& labels);
 

@@ -34,7 +34,7 @@ struct CueReader {
 /// A time, a gap and the name of a mouth a line, which nothing else says.
 CueProblem read_timed_names(std::string_view text, CueBuilder& cues);
 
-/// Whether the first letter of a text begins JSON, and whether a word is near its beginning.
+/// Returns true if a text begins as JSON does and has a word near its beginning.
 [[nodiscard]] bool begins_json(std::string_view text);
 [[nodiscard]] bool mentions(std::string_view text, std::string_view word);
 /// A number of JSON, also in quotes.
