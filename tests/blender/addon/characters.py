@@ -11,7 +11,7 @@ import trial  # noqa: E402
 desk.install(desk.ARGUMENTS[0])
 import made  # noqa: E402
 from mathutils import Quaternion  # noqa: E402
-from penpose_blender import drawing, placing, store  # noqa: E402
+from penpose_blender import drawing, mirror, placing, store  # noqa: E402
 from penpose_blender.controls import Refused  # noqa: E402
 
 
@@ -212,7 +212,7 @@ class Characters(made.Trial):
         desk.draw(face, 'reference', shown, desk.region_places(shown, rest[line]))
         desk.draw(face, 'target', shown, desk.region_places(shown, there))
         self.assertAlmostEqual(key.value, 0.8, delta=0.05)
-        moved = drawing.mirrored(face, 1)
+        moved = mirror.mirror_curve(face, 1)
         self.assertEqual([c.name for c in moved], ['right'])
         self.assertAlmostEqual(face.data.shape_keys.key_blocks['right'].value, key.value, delta=0.03)
         self.assertEqual([c['id'] for c in drawing.curves(face)], [1, 2])

@@ -4,7 +4,7 @@ call: Stroke, with follow() for each part of a target, then end() or cancel().
 import numpy as np
 from mathutils import Vector
 
-from . import across, keys, store, surface  # noqa: F401
+from . import keys, store, surface  # noqa: F401
 from . import curves as on_parts
 from .controls import Refused
 from .curves import change, curves, delete, kept_all, parts, places, put_back_all, target_places  # noqa: F401 what others draw and list
@@ -243,20 +243,6 @@ def keep_curve(one, obj, number, role):
     if role == 'reference' and one.rig.measured:
         one.prepare(obj)
     return made
-
-
-def mirrored(obj, number, replace=False):
-    """Makes a curve and its target on the other side of the character, as a new one (`replace`: instead), and solves. The controls that
-    moved. Raises Refused."""
-    one = known(obj, measured=False)
-    curve = next((c for c in curves(obj) if c['id'] == number), None)
-    if curve is None:
-        raise Refused('%s has no curve %s' % (obj.name, number))
-    points, made = across.flipped(one.rig.surface, curve)
-    if replace:
-        delete(obj, number)
-    on_parts.add(obj, one.rig.surface, points, made)
-    return solve_again(obj) if 'target' in made else []
 
 
 def become_its_file(obj):
